@@ -43,14 +43,8 @@ class ModelBuilder {
 
   static std::vector<NamedBody<Dim>> bodiesOf(const Scene& scene);
 
-  /// Whether new meshes are made of the body that a face is of.
-  bool isMeshedAnew(const FacePlace& place) const {
-    return scene_.rezoning && &model_->bodyOf(place) == &model_->bodies_[scene_.rezonedBody()];
-  }
-
-  /// Throws `InputError` at a contact of a face that is meshed anew if supports leave fewer multipliers than
-  /// functions.
-  void requireMultipliers(const FaceContact<Dim>& term, const FacePlace& place, const std::string& key) const;
+  /// Of the bodies as a run of the scene begins with them: turns of tools are measured in it on every mesh.
+  static double firstSize(const Scene& scene);
 
   const SpanQuadrature<Dim>& addQuadrature(std::size_t body);
   void addBody(std::size_t number, const std::optional<ReferenceState>& reference);
@@ -160,10 +154,12 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
   if (keepsReference) {
     placeTools(scene, model);  // what the undeformed body says of them; where they are now is carried over
   } else {
+    prepareTools(scene, model);
     Eigen::VectorXd values = model.origin_;
     model.supports_.setValues(rezoned.time, values);
     model.origin_.segment(first, count) = values.segment(first, count);
   }
+  builder.addReleases();
   builder.addStabilisation();
   if (model.stabilisation_) model.stabilisation_->beginAt(model.start_.x);
   return std::move(builder.model_);
@@ -177,6 +173,14 @@ std::vector<NamedBody<Dim>> ModelBuilder<Dim>::bodiesOf(const Scene& scene) {
     problems.gather([&] { bodies.push_back(makeBody<Dim>(scene, k)); });
   problems.throwIfAny();
   return bodies;
+}
+
+template <int Dim>
+double ModelBuilder<Dim>::firstSize(const Scene& scene) {
+  std::vector<Body<Dim>> bodies;
+  for (const NamedBody<Dim>& one : bodiesOf(scene)) bodies.push_back(one.body);
+  numberTogether(bodies);
+  return unitedBody(bodies).size();
 }
 
 template <int Dim>
@@ -237,7 +241,8 @@ template <int Dim>
 void ModelBuilder<Dim>::addTool(std::size_t number) {
   const auto& spec = scene_.tools[number];
   try {
-    model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, model_->body_.size()));
+    const double size = rezoned_ == nullptr ? model_->body_.size() : firstSize(scene_);
+    model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, size));
   } catch (const KeyError& error) {
     throw InputError(fmt::format("tools[{}].{}", number, error.key()), error.what());
   } catch (const Error& error) {
@@ -266,19 +271,8 @@ void ModelBuilder<Dim>::addContact(std::size_t number) {
       meanControlPointDistance(body.body.patches[static_cast<std::size_t>(patch)], place.face));
   auto term = makeToolContact<Dim>(body.body, patch, place.face, *model_->tools_[tool], options,
                                    model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-  requireMultipliers(*term, place, fmt::format("contact[{}]", number));
   model_->numUnknowns_ += term->numMultipliers();
   model_->contacts_.push_back({tool, place, std::move(term)});
-}
-
-template <int Dim>
-void ModelBuilder<Dim>::requireMultipliers(const FaceContact<Dim>& term, const FacePlace& place,
-                                           const std::string& key) const {
-  if (!isMeshedAnew(place) || term.hasAllMultipliers()) return;
-  throw InputError(key,
-                   fmt::format("a support holds an end of the face {}, which new meshes cannot take over "
-                               "with this method; use augmented-lagrangian",
-                               term.options().hasFriction() ? "across or along it" : "across it"));
 }
 
 /// Contact of a face with other faces, whose multipliers become the next unknowns.
@@ -291,7 +285,6 @@ std::unique_ptr<FaceContact<Dim>> ModelBuilder<Dim>::partnerContact(const FacePl
     auto term =
         makePartnerContact<Dim>(model_->body_, place.patch, place.face, makePartner, options,
                                 model_->numUnknowns_, model_->supports_.prescribed(), scene_.definitions);
-    requireMultipliers(*term, place, key);
     model_->numUnknowns_ += term->numMultipliers();
     return term;
   } catch (const InputError&) {

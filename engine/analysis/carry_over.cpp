@@ -66,11 +66,9 @@ void CarryOver::carryContacts(const Model<2>& next, Eigen::VectorXd& x) const {
   const Patch<2>& newPatch = next.bodies()[number_].body.patches.front();
   const auto carryToNewFace = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm, FaceId face) {
     const FaceCarryOver carry(oldBody.body, face, deformed_, newPatch);
-    const int numOld = oldTerm.face().numFunctions(), num = newTerm.face().numFunctions();
-    x.segment(newTerm.firstMultiplier(), num) = carry.multipliers(oldTerm.state().lambdaHat);
+    newTerm.setMultipliers(0, carry.multipliers(oldTerm.state().lambdaHat), x);
     if (!newTerm.options().hasFriction()) return;
-    x.segment(newTerm.firstMultiplier() + num, num) =
-        carry.tractions(xBefore.segment(oldTerm.firstMultiplier() + numOld, numOld));
+    newTerm.setMultipliers(1, carry.tractions(oldTerm.multipliers(1, xBefore)), x);
     newTerm.continueFriction(oldTerm.state().frictionWork, carry.values(oldTerm.slipped()));
   };
   const auto keep = [&](const FaceContact<2>& oldTerm, FaceContact<2>& newTerm) {
@@ -94,7 +92,7 @@ void CarryOver::carryContacts(const Model<2>& next, Eigen::VectorXd& x) const {
 SteppingState CarryOver::startOf(const Model<2>& next) const {
   const Model<2>& model = *before_.model;
   const SteppingState& before = before_.stepping.state();
-  SteppingState start = continuedSteps(before, next);
+  SteppingState start = continuedSteps(before_, next);
   for (std::size_t k = 0; k < next.bodies().size(); ++k)
     if (k != number_) copyHistory(*model.bodies()[k].bulk, *next.bodies()[k].bulk);
   carryContacts(next, start.x);
@@ -111,6 +109,7 @@ SteppingState CarryOver::startOf(const Model<2>& next) const {
   const Eigen::MatrixXd own = increments.middleCols(range.first, range.second - range.first);
   for (Eigen::Index a = 0; a < anchors_.cols(); ++a)
     nodes.col(first + a) = valueAt(deformed_, own, anchors_.col(a));
+  toolUnknowns(next, start.lastIncrement) = toolUnknowns(model, before.lastIncrement);
   return start;
 }
 

@@ -22,7 +22,7 @@ class CarryOver {
   /// The body on the new mesh with the history of its matter.
   const RezonedBody<2>& body() const { return body_; }
 
-  /// Where a simulation on the new mesh begins: at the same time with the multipliers of now, no displacements
+  /// Where a simulation on the new mesh begins: at the same time with tools and multipliers of now, no displacements
   /// of the body, and smaller steps. next: the model of this body, whose terms are given their histories.
   SteppingState startOf(const Model<2>& next) const;
 

@@ -32,7 +32,7 @@ constexpr double kShiftShare = 0.25;
 /// Of a face, among which the one nearest to a point of another body is sought.
 constexpr int kSamplesPerSpan = 16;
 
-/// The contacts of the face along which knot spans are distributed.
+/// The contacts of the face along which knot spans are distributed, but for tools that have left.
 struct FaceContacts {
   std::vector<const ContactPair<2>*> tools;
   std::vector<std::size_t> pairs;  ///< their numbers
@@ -41,7 +41,7 @@ struct FaceContacts {
 FaceContacts contactsOf(const Model<2>& model, const FacePlace& face) {
   FaceContacts contacts;
   for (const auto& pair : model.contacts())
-    if (pair.place == face) contacts.tools.push_back(&pair);
+    if (pair.place == face && !model.hasLeft(pair.tool)) contacts.tools.push_back(&pair);
   for (std::size_t k = 0; k < model.pairs().size(); ++k) {
     const FacePair<2>& pair = model.pairs()[k];
     if (pair.place == face || std::find(pair.against.begin(), pair.against.end(), face) != pair.against.end())
@@ -253,6 +253,11 @@ MeshChoice meshChoice(const Scene& scene, const Simulation<2>& initial) {
           .behind = options.behind.value_or(kBehind * length),
           .rounding = kRounding * length,
           .options = options};
+}
+
+bool hasPartner(const MeshChoice& choice, const Model<2>& model) {
+  const FaceContacts contacts = contactsOf(model, choice.place);
+  return !contacts.tools.empty() || !contacts.pairs.empty();
 }
 
 std::optional<Remeshing> chooseMesh(const MeshChoice& choice, const Simulation<2>& simulation,

@@ -27,6 +27,9 @@ struct MeshChoice {
 /// which the run begins.
 MeshChoice meshChoice(const Scene& scene, const Simulation<2>& initial);
 
+/// Whether a tool that has not left or another body may touch the face along which spans are distributed.
+bool hasPartner(const MeshChoice& choice, const Model<2>& model);
+
 /// A sound mesh of the deformed body that is fine where tools and other bodies press on its face, or are nearest
 /// to it, and ahead of them, and that begins in contact with the tools where such a mesh is found. Nothing if no
 /// mesh is sound. deformed: the patch in its current place. before: where its partners were when the last mesh

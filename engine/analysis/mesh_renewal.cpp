@@ -29,10 +29,13 @@ void copyHistory(Term& from, Term& to) {
 }
 
 template <int Dim>
-SteppingState continuedSteps(const SteppingState& before, const Model<Dim>& next) {
-  SteppingState start = before;
-  start.x = next.startState().x;
-  start.level = std::max(before.level, kFirstLevel);
+SteppingState continuedSteps(const Simulation<Dim>& before, const Model<Dim>& next) {
+  const Model<Dim>& model = *before.model;
+  SteppingState start = before.stepping.state();
+  toolUnknowns(next, start.x = next.startState().x) = toolUnknowns(model, before.stepping.state().x);
+  for (std::size_t k = 0; k < next.toolLoads().size(); ++k)
+    copyHistory(*model.toolLoads()[k].term, *next.toolLoads()[k].term);
+  start.level = std::max(start.level, kFirstLevel);
   start.easySteps = 0;
   start.lastIncrement.resize(0);
   return start;
@@ -86,6 +89,7 @@ typename MeshRenewal<Dim>::Settled MeshRenewal<Dim>::settledOn(
     auto model = rebuildModel(scene_, body);
     SteppingState start = startOf(*model);
     start.iterations += failedIterations;
+    model->releaseBehind(start.time, start.x);
     next.simulation = std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start));
     next.settlement = settle(*next.simulation, bodyOf(*next.simulation), parts);
     if (next.settlement.report.outcome == NewtonOutcome::Converged) break;
@@ -144,8 +148,8 @@ typename MeshRenewal<Dim>::Next MeshRenewal<Dim>::restoredSimulation() const {
   return std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start));
 }
 
-template SteppingState continuedSteps(const SteppingState&, const Model<2>&);
-template SteppingState continuedSteps(const SteppingState&, const Model<3>&);
+template SteppingState continuedSteps(const Simulation<2>&, const Model<2>&);
+template SteppingState continuedSteps(const Simulation<3>&, const Model<3>&);
 template class MeshRenewal<2>;
 template class MeshRenewal<3>;
 

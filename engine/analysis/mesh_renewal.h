@@ -16,10 +16,16 @@ namespace burnish {
 /// Gives a term what another one has been through.
 void copyHistory(Term& from, Term& to);
 
-/// How steps go on in another model of the same scene, in the state that it begins with: at the same time, with
-/// smaller steps and no last increment.
+/// How steps go on in another model of the same scene, in the state that it begins with but for tools, which are where
+/// they were and carry what they carried: at the same time, with smaller steps and no last increment.
 template <int Dim>
-SteppingState continuedSteps(const SteppingState& before, const Model<Dim>& next);
+SteppingState continuedSteps(const Simulation<Dim>& before, const Model<Dim>& next);
+
+/// Of all unknowns of a model those of its tools.
+template <int Dim>
+auto toolUnknowns(const Model<Dim>& model, auto& x) {
+  return x.segment(model.numDisplacements(), model.numForces() - model.numDisplacements());
+}
 
 /// What is the same wherever a body is meshed anew and whatever makes its meshes: the way into equilibrium, and the
 /// account of it.

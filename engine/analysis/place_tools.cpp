@@ -298,10 +298,21 @@ void touchGently(Model<Dim>& model, const CarriedLoad& load) {
   });
 }
 
-/// Brings a tool with free degrees of freedom into touch with the body, unless its path does, or all that is free are
-/// turns in which it moves in itself. x: unknowns of the start, in which its displacement is written.
+bool slides(const Tool& tool) {
+  return tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
+}
+
+/// Whether all that is free of a tool are turns in which it moves in itself: it touches where its motion takes it, and
+/// keeps its turn elsewhere.
 template <int Dim>
-void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load, Eigen::VectorXd& x) {
+bool turnsAlone(const Model<Dim>& model, const Tool& tool) {
+  return !slides(tool) &&
+         (tool.spins() || (tool.isFree(kTurn) && turnsInItself(tool, Dim, model.body().size())));
+}
+
+/// Tells a tool with free degrees of freedom of the faces that it touches, and of the stiffness of the body.
+template <int Dim>
+void prepareFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load) {
   const Tool& tool = *model.tools()[load.tool];
   const double bodySize = model.body().size();
   const Pairs<Dim> pairs = pairsOf(model, load.tool);
@@ -324,16 +335,27 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
       requireLifted(scene.tools[load.tool], tool, fmt::format("tools[{}]", load.tool));
     holder->stiffness = steadiness / kForceFloor;  // that of the body
     holder->steadiness = steadiness;
+  } else if (!turnsAlone(model, tool)) {
+    pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
+  }
+  if (load.term->holder() || slides(tool)) touchGently(model, load);
+}
+
+/// Brings a prepared tool into touch with the body, unless its path does or it turns alone. x: unknowns of the start, in
+/// which its displacement is written.
+template <int Dim>
+void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& load, Eigen::VectorXd& x) {
+  const Tool& tool = *model.tools()[load.tool];
+  const double bodySize = model.body().size();
+  const Pairs<Dim> pairs = pairsOf(model, load.tool);
+  const std::string place = fmt::format("tools[{}].carry", load.tool);
+  if (const auto& holder = load.term->holder()) {
     if (!tool.followsSurface())
       x(tool.unknowns[holder->dof]) = tool.pose(0.0).displacement(static_cast<Eigen::Index>(holder->dof));
-    touchGently(model, load);
     return;  // its path takes it to the body
   }
-  const bool slides = tool.isFree(0) || tool.isFree(1) || tool.isFree(2);
-  if ((turns || tool.spins()) && !slides)
-    return;  // touches where its motion takes it, and keeps its turn elsewhere
-  pairs.back()->keepInTouch({pairs.begin(), pairs.end() - 1});
-  if (!slides) {
+  if (turnsAlone(model, tool)) return;
+  if (!slides(tool)) {
     requireTouch<Dim>(pairs, tool, bodySize, place);
     return;
   }
@@ -350,7 +372,6 @@ void placeFreeTool(const Scene& scene, Model<Dim>& model, const CarriedLoad& loa
     for (std::size_t dof = 0; dof < kTurn; ++dof)
       if (tool.isFree(dof))
         x(tool.unknowns[dof]) = (start.displacement + shift)(static_cast<Eigen::Index>(dof));
-  touchGently(model, load);
 }
 
 /// Tells a tool that carries a force along the normal which faces it follows. Throws `InputError` at `place` where these
@@ -388,11 +409,21 @@ SteppingState placeTools(const Scene& scene, Model<Dim>& model) {
   start.time = liftTools(scene, model);
   InputProblems problems;
   for (const CarriedLoad& load : model.toolLoads())
-    problems.gather([&] { placeFreeTool(scene, model, load, start.x); });
+    problems.gather([&] {
+      prepareFreeTool(scene, model, load);
+      placeFreeTool(scene, model, load, start.x);
+    });
   problems.throwIfAny();
   return start;
 }
 
+template <int Dim>
+void prepareTools(const Scene& scene, Model<Dim>& model) {
+  for (const CarriedLoad& load : model.toolLoads()) prepareFreeTool(scene, model, load);
+}
+
+template void prepareTools(const Scene&, Model<2>&);
+template void prepareTools(const Scene&, Model<3>&);
 template SteppingState placeTools(const Scene&, Model<2>&);
 template SteppingState placeTools(const Scene&, Model<3>&);
 

@@ -15,4 +15,9 @@ namespace burnish {
 template <int Dim>
 SteppingState placeTools(const Scene& scene, Model<Dim>& model);
 
+/// What `placeTools` tells tools that carry loads of the body that they touch, for a model of a deformed body, beside which
+/// they are where they have come to. Throws as that does.
+template <int Dim>
+void prepareTools(const Scene& scene, Model<Dim>& model);
+
 }  // namespace burnish

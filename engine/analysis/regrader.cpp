@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/analysis/frames.h"
+#include "engine/analysis/release_end.h"
 #include "engine/nurbs/collocation.h"
 #include "engine/rezoning/state_transfer.h"
 #include "engine/solid/deformation_gradients.h"
@@ -63,20 +64,15 @@ class GradedAnew {
   SteppingState startOf(const Model<3>& next) const {
     const Model<3>& model = *before_.model;
     const SteppingState& before = before_.stepping.state();
-    SteppingState start = continuedSteps(before, next);
-    const Eigen::Index numTools = model.numForces() - model.numDisplacements();
-    start.x.segment(next.numDisplacements(), numTools) = before.x.segment(model.numDisplacements(), numTools);
+    SteppingState start = continuedSteps(before_, next);
     for (std::size_t k = 0; k < next.loads().size(); ++k) copyHistory(*model.loads()[k], *next.loads()[k]);
-    for (std::size_t k = 0; k < next.toolLoads().size(); ++k)
-      copyHistory(*model.toolLoads()[k].term, *next.toolLoads()[k].term);
     for (std::size_t k = 0; k < next.contacts().size(); ++k)
       carryContact(*model.contacts()[k].term, *next.contacts()[k].term, start.x);
     if (before.lastIncrement.size() == 0) return start;
     start.lastIncrement = Eigen::VectorXd::Zero(next.numUnknowns());
     start.lastIncrement.head(next.numDisplacements()) =
         interpolatedOn(new_, old_, ownOf(before.lastIncrement)).reshaped();
-    start.lastIncrement.segment(next.numDisplacements(), numTools) =
-        before.lastIncrement.segment(model.numDisplacements(), numTools);
+    toolUnknowns(next, start.lastIncrement) = toolUnknowns(model, before.lastIncrement);
     return start;
   }
 
@@ -94,13 +90,12 @@ class GradedAnew {
     const auto carried = [&](const Eigen::MatrixXd& coefficients) {
       return valuesAtAnchors(old, coefficients, next);
     };
-    const int numOld = old.numFunctions(), num = next.numFunctions();
-    x.segment(to.firstMultiplier(), num) =
-        carried(from.state().lambdaHat.transpose()).cwiseMin(0.0).transpose();
+    to.setMultipliers(0, carried(from.state().lambdaHat.transpose()).cwiseMin(0.0).transpose(), x);
     if (!to.options().hasFriction()) return;
-    const Eigen::MatrixXd tangential =
-        before_.stepping.state().x.segment(from.firstMultiplier() + numOld, 2 * numOld).reshaped(2, numOld);
-    x.segment(to.firstMultiplier() + num, 2 * num) = carried(tangential).reshaped();
+    for (const int component : {1, 2}) {
+      const Eigen::VectorXd tractions = from.multipliers(component, before_.stepping.state().x);
+      to.setMultipliers(component, carried(tractions.transpose()).transpose(), x);
+    }
     to.continueFriction(from.state().frictionWork, carried(from.slipped().transpose()).transpose());
   }
 
@@ -132,7 +127,8 @@ Regrader::Regrader(const Scene& scene, const Simulation<3>& initial)
       due_(meshes_.size() > 1 ? meshes_[1].from : kNever) {}
 
 bool Regrader::isDue(const Simulation<3>& simulation) const {
-  return isReached(due_, simulation.stepping.state().time);
+  const double time = simulation.stepping.state().time;
+  return isReached(due_, time) && !isReleasing(scene(), time);
 }
 
 std::size_t Regrader::meshAt(double time) const {

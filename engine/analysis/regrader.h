@@ -20,7 +20,8 @@ class Regrader : public MeshRenewal<3> {
   /// begins.
   Regrader(const Scene& scene, const Simulation<3>& initial);
 
-  /// Whether the tool is about to leave the part of its path that the mesh was made for.
+  /// Whether the tool is about to leave the part of its path that the mesh was made for. Not while forces fade of
+  /// supports and tools that have let go.
   bool isDue(const Simulation<3>& simulation) const;
 
   /// The simulation that goes on from the last accepted state of this one, in equilibrium on the mesh that its time

@@ -5,6 +5,7 @@
 #include "engine/analysis/archive_body.h"
 #include "engine/analysis/deformed_patch.h"
 #include "engine/analysis/frames.h"
+#include "engine/analysis/release_end.h"
 
 namespace burnish {
 namespace {
@@ -22,6 +23,11 @@ Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
       choice_(meshChoice(scene, initial)),
       trigger_(choice_.options, choice_.body, choice_.travel, initial),
       origin_(ownPositions(bodyOf(initial).body)) {}
+
+bool Rezoner::isDue(const Simulation<2>& simulation) const {
+  return !isReleasing(scene(), simulation.stepping.state().time) && hasPartner(choice_, *simulation.model) &&
+         trigger_.isDue(simulation);
+}
 
 std::unique_ptr<Simulation<2>> Rezoner::rezone(Simulation<2>& simulation) {
   auto next = tried(simulation, [&] { return attempt(simulation); });

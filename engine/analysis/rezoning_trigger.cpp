@@ -22,7 +22,7 @@ double RezoningTrigger::travelSince(const Simulation<2>& simulation) const {
   const PartnerPlaces places = partnerPlaces(simulation, body);
   double travel = 0.0;
   for (const auto& pair : model.contacts())
-    if (&model.bodyOf(pair.place) == &body)
+    if (&model.bodyOf(pair.place) == &body && !model.hasLeft(pair.tool))
       travel = std::max(travel, lastPlaces_.travelOfTool(pair.tool, places).norm());
   for (std::size_t k = 0; k < model.pairs().size(); ++k)
     travel = std::max(travel, lastPlaces_.travelOfPair(k, places).norm());

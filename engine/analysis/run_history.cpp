@@ -217,7 +217,8 @@ void RunHistory<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& 
   addTools(state, next);
   addPairs(next);
   addSelfContacts(next);
-  if (x_.size() > 0) next.externalWork += toolWork(next) + fittingWork(next);
+  // On a new mesh too: tools that carry a load move while a body comes into equilibrium on it.
+  if (states_ > 1) next.externalWork += toolWork(next) + fittingWork(next);
   next.bodies.resize(current_.bodies.size());
   addBodies(next);
   next.stabilisedShare = stabilisedShare;

@@ -106,6 +106,24 @@ std::vector<InputProblem> roomWarnings(const Scene& scene) {
   return warnings;
 }
 
+/// Of forces that fade until the end of the run, during which bodies keep their meshes.
+std::vector<InputProblem> fadingWarnings(const Scene& scene) {
+  std::vector<InputProblem> warnings;
+  if (!scene.rezoning) return warnings;
+  const auto warn = [&](const auto& specs, const char* list, const char* what) {
+    for (std::size_t k = 0; k < specs.size(); ++k)
+      if (specs[k].until && !specs[k].releasedBy)
+        warnings.push_back(
+            {fmt::format("{}[{}].until", list, k),
+             fmt::format("from t = {:.4g} to the end of the run, while the force of the {} goes "
+                         "to zero, the body keeps its mesh; with released_by that ends sooner",
+                         *specs[k].until, what)});
+  };
+  warn(scene.supports, "supports", "support");
+  if (scene.tools.size() > 1) warn(scene.tools, "tools", "tool");
+  return warnings;
+}
+
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -143,6 +161,7 @@ std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& mo
       warnings.push_back({scene.bodyKey(k, path), std::move(text)});
   std::ranges::move(roomWarnings(scene), std::back_inserter(warnings));
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
+  std::ranges::move(fadingWarnings(scene), std::back_inserter(warnings));
   if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;
 }

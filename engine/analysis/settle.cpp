@@ -8,12 +8,12 @@
 namespace burnish {
 namespace {
 
-/// Terms of the contacts of a body with tools and with other bodies.
+/// Terms of the contacts of a body with tools that are there and with other bodies.
 template <int Dim>
 std::vector<FaceContact<Dim>*> touchesOf(const Model<Dim>& model, const ModelBody<Dim>& body) {
   std::vector<FaceContact<Dim>*> terms;
   for (const auto& pair : model.contacts())
-    if (&model.bodyOf(pair.place) == &body) terms.push_back(pair.term.get());
+    if (&model.bodyOf(pair.place) == &body && !model.hasLeft(pair.tool)) terms.push_back(pair.term.get());
   for (const auto& pair : model.pairs())
     if (model.touches(pair, body)) terms.push_back(pair.term.get());
   return terms;
@@ -110,10 +110,8 @@ Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int p
     if (report.outcome != NewtonOutcome::Converged) break;
     std::vector<Eigen::VectorXd> now = multipliersOf(terms, x);
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      result.gapWork += terms[k]
-                            ->weights()
-                            .head(gaps[k].size())
-                            .dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
+      result.gapWork +=
+          terms[k]->functionWeights().dot((0.5 / parts * (before[k] + now[k])).cwiseProduct(gaps[k]));
     before = std::move(now);
   }
   if constexpr (Dim == 3) simulation.newton.hold({});

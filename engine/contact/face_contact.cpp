@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace burnish {
@@ -12,6 +13,40 @@ void FaceContact<Dim>::keepInTouch(std::vector<const FaceContact*> others) {
   assert(options_.gapLimit.value_or(kAnyGap) == kAnyGap);
   keepsInTouch_ = true;
   others_ = std::move(others);
+}
+
+template <int Dim>
+int FaceContact<Dim>::multiplierOf(int function, int component) const {
+  if (component == 0) return firstMultiplier_ + function;
+  return firstMultiplier_ + face_.numFunctions() + (Dim - 1) * function + component - 1;
+}
+
+template <int Dim>
+Eigen::VectorXd FaceContact<Dim>::multipliers(int component, const Eigen::VectorXd& x) const {
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(face_.numFunctions());
+  for (int a = 0; a < face_.numFunctions(); ++a)
+    if (const int number = multiplierOf(a, component); number >= 0) coefficients(a) = x(number);
+  return coefficients;
+}
+
+template <int Dim>
+void FaceContact<Dim>::setMultipliers(int component, const Eigen::VectorXd& coefficients,
+                                      Eigen::VectorXd& x) const {
+  std::map<int, int> sharers;  // per number
+  for (int a = 0; a < face_.numFunctions(); ++a) {
+    const int number = multiplierOf(a, component);
+    if (number < 0) continue;
+    const int count = ++sharers[number];
+    x(number) = count == 1 ? coefficients(a) : x(number) + (coefficients(a) - x(number)) / count;
+  }
+}
+
+template <int Dim>
+Eigen::VectorXd FaceContact<Dim>::functionWeights() const {
+  if (hasAllMultipliers()) return A_.head(face_.numFunctions());
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(face_.numFunctions());
+  for (const auto& span : face_.spans()) weights(span.functions) += span.R.cwiseAbs() * span.weights;
+  return weights;
 }
 
 template <int Dim>

@@ -62,9 +62,22 @@ class FaceContact : public Term {
     return numMultipliers() == (options_.hasFriction() ? Dim : 1) * face_.numFunctions();
   }
 
+  /// Number among the unknowns of a multiplier of a function: with component 0 of λ, else of a part of τ; -1 for none.
+  /// Functions may share one. Of methods that have multipliers.
+  virtual int multiplierOf(int function, int component) const;
+
+  /// Coefficients by functions of one of these fields in x; zero without a multiplier.
+  Eigen::VectorXd multipliers(int component, const Eigen::VectorXd& x) const;
+
+  /// Sets them in x: a multiplier that functions share has their mean.
+  void setMultipliers(int component, const Eigen::VectorXd& coefficients, Eigen::VectorXd& x) const;
+
   /// What residuals of multipliers are compared with, one per multiplier: integrals of their functions over
   /// the reference face. With penalties, which have no multipliers, one per function.
   const Eigen::VectorXd& weights() const { return A_; }
+
+  /// The same by functions, one each, also where they share multipliers.
+  Eigen::VectorXd functionWeights() const;
 
   /// As much as takes the pressure away, where the whole correction would leave the face pulled by its partner:
   /// multipliers that pull let go next, and so a body comes free by its own springback instead of under a

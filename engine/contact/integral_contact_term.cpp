@@ -244,19 +244,20 @@ CouplingGroups IntegralContactTerm<Dim>::couplings() const {
 }
 
 template <int Dim>
+int IntegralContactTerm<Dim>::multiplierOf(int function, int component) const {
+  const int A = (component == 0 ? multipliers_ : tangential_).multiplierOf(function);
+  if (A < 0) return -1;
+  if (component == 0) return firstMultiplier_ + A;
+  return firstMultiplier_ + multipliers_.size() + (Dim - 1) * A + component - 1;
+}
+
+template <int Dim>
 std::vector<int> IntegralContactTerm<Dim>::multiplierUnknowns(std::size_t e) const {
   std::vector<int> unknowns;
-  for (const int a : face_.spans()[e].functions) {
-    const int A = multipliers_.multiplierOf(a);
-    unknowns.push_back(A >= 0 ? firstMultiplier_ + A : -1);
-  }
+  for (const int a : face_.spans()[e].functions) unknowns.push_back(multiplierOf(a, 0));
   if (!hasFriction_) return unknowns;
-  const int first = firstMultiplier_ + multipliers_.size();
   for (const int a : face_.spans()[e].functions)
-    for (int alpha = 0; alpha < Dim - 1; ++alpha) {
-      const int A = tangential_.multiplierOf(a);
-      unknowns.push_back(A >= 0 ? first + (Dim - 1) * A + alpha : -1);
-    }
+    for (int component = 1; component < Dim; ++component) unknowns.push_back(multiplierOf(a, component));
   return unknowns;
 }
 

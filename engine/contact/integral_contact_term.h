@@ -54,6 +54,8 @@ class IntegralContactTerm final : public FaceContact<Dim> {
     return multipliers_.size() + (hasFriction_ ? (Dim - 1) * tangential_.size() : 0);
   }
 
+  int multiplierOf(int function, int component) const override;
+
   CouplingGroups couplings() const override;
   bool evaluate(double t, const Eigen::VectorXd& x, Assembly& out) override;
   bool hasSymmetricTangent() const override { return !hasFriction_; }

@@ -30,6 +30,12 @@ bool isMeshedAnew(const CheckContext& c, const std::string& body) {
   return c.scene.bodyNumber(body) == c.scene.rezonedBody();
 }
 
+bool touchesMeshedAnew(const CheckContext& c, const ToolSpec& tool) {
+  return std::ranges::any_of(c.scene.contact, [&](const ContactSpec& contact) {
+    return contact.against.empty() && contact.tool == tool.name && isMeshedAnew(c, contact.place.body);
+  });
+}
+
 /// Of the body, new meshes cannot carry penalties over; of others, tractions that these remember.
 void refusePenalty(const CheckContext& c, const ContactOptions& options, bool isOfBody,
                    const std::string& path) {
@@ -37,12 +43,6 @@ void refusePenalty(const CheckContext& c, const ContactOptions& options, bool is
     c.report(path, fmt::format("found a penalty method{} in a scene with rezoning; allowed there: "
                                "augmented-lagrangian | integral-augmented-lagrangian.",
                                isOfBody ? "" : " with friction"));
-}
-
-void refuseLeavingTools(const CheckContext& c) {
-  for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
-    refuse(c, c.scene.tools[k].until.has_value(), fmt::format("tools[{}].until", k),
-           "a tool that is taken away");
 }
 
 /// Laws whose history a new mesh does not take over. material: its key.
@@ -149,14 +149,9 @@ void checkInSpace(const CheckContext& c) {
          "a relief, which every mesh would have another one of,");
   refuseHistory(c, body.material, key("material"));
   refuse(c, body.initial.has_value(), key("initial"), "an initial state of a body in space");
-  for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
-    const SupportSpec& support = c.scene.supports[k];
-    const std::string path = fmt::format("supports[{}]", k);
-    refuse(c, support.until.has_value(), path + ".until", "a support that lets go");
-    refuse(c, !support.place.part.empty(), path,
+  for (std::size_t k = 0; k < c.scene.supports.size(); ++k)
+    refuse(c, !c.scene.supports[k].place.part.empty(), fmt::format("supports[{}]", k),
            "a support on a part of a face, which holds other points on every mesh,");
-  }
-  refuseLeavingTools(c);
   for (std::size_t k = 0; k < c.scene.contact.size(); ++k)
     refusePenalty(c, c.scene.contact[k].options, true, fmt::format("contact[{}].method", k));
   refuse(c, !c.scene.selfContact.empty(), "self_contact", "contact of a body in space with itself");
@@ -184,17 +179,20 @@ void checkRezoning(const CheckContext& c) {
            "a load on the body");
   for (std::size_t k = 0; k < c.scene.supports.size(); ++k) {
     const std::string path = fmt::format("supports[{}]", k);
-    refuse(c, c.scene.supports[k].until.has_value(), path + ".until", "a support that lets go");
     if (!isMeshedAnew(c, c.scene.supports[k].place.body)) continue;
+    refuse(c, c.scene.supports[k].symmetry && c.scene.supports[k].until, path + ".until",
+           "a plane of symmetry that lets go (fix with the components to hold may)");
     refuse(c, c.scene.supports[k].prescribe.has_value(), path + ".prescribe",
            "displacements given by formulas of places, which new meshes would move,");
     refuse(c, !c.scene.supports[k].place.part.empty() || !c.scene.supports[k].place.length.empty(), path,
            "a support on a part of a face");
   }
-  for (std::size_t k = 0; k < c.scene.tools.size(); ++k)
-    refuse(c, c.scene.tools[k].carry.has_value(), fmt::format("tools[{}].carry", k),
-           "a tool that carries a load");
-  refuseLeavingTools(c);
+  for (std::size_t k = 0; k < c.scene.tools.size(); ++k) {
+    const ToolSpec& tool = c.scene.tools[k];
+    refuse(c, tool.carry && tool.carry->normal && touchesMeshedAnew(c, tool),
+           fmt::format("tools[{}].carry.normal", k),
+           "a force along the normal of a face that new meshes would move");
+  }
   for (std::size_t k = 0; k < c.scene.measures.size(); ++k) {
     const std::optional<std::string> measured = bodyOfPoints(c.scene.measures[k]);
     refuse(c, measured && isMeshedAnew(c, *measured), fmt::format("measures[{}]", k),

@@ -231,8 +231,6 @@ TEST(LeavingTool, RefusesWhatMakesNoSense) {
                   {"tools[0]={name: disc, shape: cylinder, center: [0.9, 1.6], radius: 0.6, until: 1, path: "
                    "{course: polyline, points: [[0, 0], [0, -0.08], [0.1, -0.08]], speed: 0.1}}"}),
               HasSubstr("tools[0].until: found 1, before the path of the tool ends; allowed: 1.8 or later"));
-  EXPECT_THAT(errorOfPressed({"rezoning={travel: 0.2}"}),
-              HasSubstr("tools[0].until: found a tool that is taken away in a scene with rezoning"));
 }
 
 }  // namespace

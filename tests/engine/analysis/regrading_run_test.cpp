@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -159,10 +160,17 @@ const std::string kPressed =
              "rezoning: {travel: 0.3}\nsteps: [{until: 0.96, count: 16}]",
              "rezoning: {travel: 0.22}\nsteps: [{until: 0.72, count: 12}]");
 
+/// The block is held at its right end until shortly before the first change of the mesh is due, and let go beyond that.
+const std::string kHeld = replaced(
+    kShort, "{face: back, symmetry: true}]",
+    "{face: back, symmetry: true}, {name: grip, face: right, fix: [x], until: 0.18, released_by: 0.36}]");
+
+constexpr std::array kNamesOfResumed{"Friction", "Force", "LetGo"};
+
 class ResumedRegrading : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ResumedRegrading, testing::Values(kRubbed, kPressed),
-                         [](const auto& test) { return test.index == 0 ? "Friction" : "Force"; });
+INSTANTIATE_TEST_SUITE_P(Scenes, ResumedRegrading, testing::Values(kRubbed, kPressed, kHeld),
+                         [](const auto& test) { return kNamesOfResumed[test.index]; });
 
 TEST_P(ResumedRegrading, HasTheSameBits) {
   const test::HaltedHistory history =
@@ -170,6 +178,34 @@ TEST_P(ResumedRegrading, HasTheSameBits) {
   EXPECT_GT(history.halts, 10);
   EXPECT_EQ(history.whole, history.halted);
   EXPECT_THAT(history.whole, testing::HasSubstr("rezoning_gap_work"));
+}
+
+TEST(RegradedRun, LeavesTheMeshAloneWhileASupportLetsGo) {
+  const auto elastic = [](const std::string& scene, const std::string& name) {
+    return test::run(parseScene(scene, "test.yaml",
+                                {"material={law: neo-hookean, E: 100, nu: 0.3}", "output.reactions=true"}),
+                     "regraded_" + name);
+  };
+  const Outcome free = elastic(kShort, "free"), held = elastic(kHeld, "held");
+  ASSERT_TRUE(held.summary.completed) << held.summary.stoppedBecause;
+  ASSERT_EQ(free.summary.rezonings.size(), held.summary.rezonings.size());
+  EXPECT_EQ(held.summary.failedRezonings, 0) << held.summary.rezoningFailure;
+  EXPECT_GT(free.summary.rezonings.front().time, 0.18);
+  EXPECT_LT(free.summary.rezonings.front().time, 0.36 - 1e-9);
+  EXPECT_NEAR(held.summary.rezonings.front().time, 0.36, 1e-9);
+  // An elastic body forgets what has been let go.
+  std::map<long, double> energies;
+  for (std::size_t k = 0; k < free.history.numRows(); ++k)
+    energies[std::lround(1e6 * free.history.column("time")[k])] = free.history.column("strain_energy")[k];
+  int compared = 0;
+  for (std::size_t k = 0; k < held.history.numRows(); ++k) {
+    const double time = held.history.column("time")[k];
+    if (time < 0.37 || !energies.contains(std::lround(1e6 * time))) continue;
+    EXPECT_NEAR(held.history.column("strain_energy")[k], energies.at(std::lround(1e6 * time)), 1e-10);
+    EXPECT_NEAR(held.history.column("grip.fx")[k], 0.0, 1e-10);
+    ++compared;
+  }
+  EXPECT_GT(compared, 5);
 }
 
 TEST(RegradedRun, CarriesAForceAcrossMeshes) {

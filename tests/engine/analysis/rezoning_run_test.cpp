@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -48,6 +49,17 @@ const std::string kRubbed =
     samples::replaced(kRezoned, "face: top, method: augmented-lagrangian}]\nsteps",
                       "face: top, method: integral-augmented-lagrangian, friction: 0.2}]\nsteps");
 
+/// The same where a force presses the tool, and the block is held at its right end until the tool begins to move.
+const std::string kPressedOn = samples::replaced(
+    samples::replaced(samples::replaced(kRubbed, "integral-augmented-lagrangian", "augmented-lagrangian"),
+                      ", x: [0, 0, 0.4], y: [0, -0.03, -0.03]}", ", x: [0, 0, 0.4]}, carry: {y: -90}"),
+    "fix: [x, y]}]", "fix: [x, y]}, {name: grip, face: right, fix: [x], until: 1, released_by: 1.3}]");
+
+/// The same with a tool that is taken away, at points.
+const std::string kLeft = samples::replaced(
+    samples::replaced(kRubbed, "y: [0, -0.03, -0.03]}", "y: [0, -0.03, -0.03]}, until: 2, released_by: 2.5"),
+    "{until: 2, count: 10}", "{until: 2, count: 10}, {until: 3, count: 4}");
+
 /// Both formulations, as a line of a scene.
 class RezoningRuns : public testing::TestWithParam<std::string> {};
 
@@ -55,17 +67,15 @@ INSTANTIATE_TEST_SUITE_P(Formulations, RezoningRuns,
                          testing::Values("formulation: displacement\n", "formulation: fbar\n"),
                          [](const auto& test) { return test.index == 0 ? "Displacement" : "Projected"; });
 
+constexpr std::array kNamesOfScenes{"Displacement", "Projected", "Friction", "Force", "Left"};
+
 /// Whole scenes.
 class RezonedScenes : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RezonedScenes,
                          testing::Values("formulation: displacement\n" + kRezoned,
-                                         "formulation: fbar\n" + kRezoned, kRubbed),
-                         [](const auto& test) {
-                           return test.index == 0   ? "Displacement"
-                                  : test.index == 1 ? "Projected"
-                                                    : "Friction";
-                         });
+                                         "formulation: fbar\n" + kRezoned, kRubbed, kPressedOn, kLeft),
+                         [](const auto& test) { return kNamesOfScenes[test.index]; });
 
 TEST_P(RezonedScenes, ResumeWithTheSameBitsFromAnyMesh) {
   const ScratchDirectory whole("rezoned_whole"), part("rezoned_part");
@@ -181,12 +191,17 @@ TEST_P(RezoningRuns, ElasticBodiesAnswerAsOnOneMesh) {
   EXPECT_NEAR(last(many, "strain_energy"), last(one, "strain_energy"), 0.003 * last(one, "strain_energy"));
 }
 
+/// A scene of this file with an elastic body.
+std::string elasticOne(const std::string& scene) {
+  const std::size_t law = scene.find("  law: j2");
+  return samples::replaced(scene, scene.substr(law, scene.find("supports") - law),
+                           "  {law: neo-hookean, E: 1000, nu: 0.3}\n");
+}
+
 TEST(RezoningRun, FrictionOnAnElasticBodyActsAsOnOneMesh) {
   for (const char* method : {"integral-augmented-lagrangian", "augmented-lagrangian"}) {
     const std::string rubbed = samples::replaced(kRubbed, "integral-augmented-lagrangian", method);
-    const std::size_t law = rubbed.find("  law: j2");
-    const std::string elastic = samples::replaced(rubbed, rubbed.substr(law, rubbed.find("supports") - law),
-                                                  "  {law: neo-hookean, E: 1000, nu: 0.3}\n");
+    const std::string elastic = elasticOne(rubbed);
     const ScratchDirectory fixed("friction_fixed"), rezoned("friction_rezoned");
     ASSERT_TRUE(
         runTo(fixed.path(), samples::replaced(elastic, "rezoning: {travel: 0.1, spans: [32, 8]}\n", ""))
@@ -206,6 +221,99 @@ TEST(RezoningRun, FrictionOnAnElasticBodyActsAsOnOneMesh) {
     EXPECT_GE(work[1], -1e-6);
     EXPECT_TRUE(std::is_sorted(work.begin() + 1, work.end()));
   }
+}
+
+TEST(RezoningRun, AToolCarriesItsForceAcrossMeshesAsOnOneMesh) {
+  const std::string scene =
+      samples::replaced(samples::replaced(elasticOne(kPressedOn), "-90", "-20"), "[30, 8]", "[40, 12]");
+  const test::Outcome rezoned = test::run(parseScene(scene, "test.yaml"), "force_rezoned");
+  const test::Outcome fixed = test::run(
+      parseScene(samples::replaced(scene, "rezoning: {travel: 0.1, spans: [32, 8]}\n", ""), "test.yaml",
+                 {"geometry={shape: rectangle, size: [2.0, 0.6], functions: [79, 23]}"}),
+      "force_fixed");
+  ASSERT_TRUE(rezoned.summary.completed) << rezoned.summary.stoppedBecause;
+  ASSERT_GE(rezoned.summary.rezonings.size(), 3u);
+  EXPECT_EQ(rezoned.summary.failedRezonings, 0) << rezoned.summary.rezoningFailure;
+  const auto& forces = rezoned.history.column("disc.fy");
+  for (std::size_t k = 1; k < forces.size(); ++k) EXPECT_NEAR(forces[k], 20.0, 20.0 * 1e-8) << k;
+  for (const char* column : {"disc.fx", "disc.uy", "strain_energy", "external_work"})
+    EXPECT_NEAR(last(rezoned.history, column) / last(fixed.history, column), 1.0, 0.01) << column;
+}
+
+TEST(RezoningRun, MeshesAreLeftAloneWhileASupportLetsGo) {
+  const test::Outcome outcome = test::run(
+      parseScene(kPressedOn, "test.yaml", {"supports[1].released_by=1.55", "output.reactions=true"}), "grip");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  ASSERT_GE(outcome.summary.rezonings.size(), 2u);
+  for (const RezoningRecord& rezoning : outcome.summary.rezonings)
+    EXPECT_TRUE(rezoning.time < 1.0 || rezoning.time >= 1.55 - 1e-9) << rezoning.time;
+  const auto& time = outcome.history.column("time");
+  const auto& grip = outcome.history.column("grip.fx");
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] >= 1.55 - 1e-9) {
+      EXPECT_NEAR(grip[k], 0.0, 1e-9) << time[k];
+    }
+}
+
+TEST(RezoningRun, WarnsOfForcesThatFadeUntilTheEnd) {
+  const Scene scene = parseScene(samples::replaced(kPressedOn, ", released_by: 1.3", ""), "test.yaml",
+                                 {"steps=[{until: 1, count: 4}, {until: 1.2, count: 2}]"});
+  const test::Outcome outcome = test::run(scene, "fading");
+  EXPECT_THAT(outcome.summary.warnings,
+              testing::Contains(HasSubstr("supports[1].until: from t = 1 to the end of the run")));
+}
+
+TEST(RezoningRun, AToolThatHasLeftIsNotThere) {
+  const test::Outcome outcome = test::run(
+      parseScene(elasticOne(kLeft), "test.yaml", {"supports[0].name=floor", "output.reactions=true"}),
+      "left");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  ASSERT_GE(outcome.summary.rezonings.size(), 3u);
+  EXPECT_LT(outcome.summary.rezonings.back().time, 2.0);
+  const auto& time = outcome.history.column("time");
+  const auto& floor = outcome.history.column("floor.fy");
+  const auto at = [&](double t) {
+    return floor[static_cast<std::size_t>(std::ranges::lower_bound(time, t - 1e-9) - time.begin())];
+  };
+  EXPECT_NEAR(at(2.25) / at(2.0), 0.5, 0.01);
+  EXPECT_NEAR(at(2.5), 0.0, 1e-6 * std::abs(at(2.0)));
+}
+
+TEST(RezoningRun, ARollerTurnsOnAsOnOneMesh) {
+  const std::string scene = samples::replaced(
+      samples::replaced(elasticOne(kRubbed), ", y: [0, -0.03, -0.03]}", "}, carry: {y: -20, moment: 0}"),
+      "[30, 8]", "[40, 12]");
+  const test::Outcome rezoned = test::run(parseScene(scene, "test.yaml"), "roller_rezoned");
+  const test::Outcome fixed = test::run(
+      parseScene(samples::replaced(scene, "rezoning: {travel: 0.1, spans: [32, 8]}\n", ""), "test.yaml",
+                 {"geometry={shape: rectangle, size: [2.0, 0.6], functions: [79, 23]}"}),
+      "roller_fixed");
+  ASSERT_TRUE(rezoned.summary.completed) << rezoned.summary.stoppedBecause;
+  ASSERT_GE(rezoned.summary.rezonings.size(), 3u);
+  EXPECT_EQ(rezoned.summary.failedRezonings, 0) << rezoned.summary.rezoningFailure;
+  EXPECT_NEAR(last(rezoned.history, "disc.angle") / last(fixed.history, "disc.angle"), 1.0, 0.005);
+  EXPECT_NEAR(std::abs(last(fixed.history, "disc.angle")), 0.4 / 0.5 * 180.0 / 3.14159265, 3.0);
+}
+
+TEST(RezoningRun, BooksCloseWhereASupportHoldsAnEndOfAFaceThatTouchesAtPoints) {
+  const std::string held =
+      samples::replaced(samples::replaced(samples::replaced(elasticOne(kRubbed), ", friction: 0.2", ""),
+                                          "fix: [x, y]}]", "fix: [x, y]}, {face: left, fix: [y]}]"),
+                        "motion: {times: [0, 1, 2], x: [0, 0, 0.4], y: [0, -0.03, -0.03]}",
+                        "motion: {times: [0, 1, 2], x: [0, 0, 0.4]}, carry: {y: -20}");
+  const test::Outcome outcome = test::run(parseScene(held, "test.yaml"), "held_end");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  ASSERT_GE(outcome.summary.rezonings.size(), 3u);
+  EXPECT_EQ(outcome.summary.failedRezonings, 0) << outcome.summary.rezoningFailure;
+  // From the end of the first phase on: the force is there at once at t = 0.
+  const auto& times = outcome.history.column("time");
+  const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(times, 1.0 - 1e-9) - times.begin());
+  const auto grown = [&](const char* column) {
+    return last(outcome.history, column) - outcome.history.column(column)[begin];
+  };
+  EXPECT_NEAR(grown("strain_energy") + grown("rezoning_energy_lost"),
+              grown("external_work") + grown("rezoning_gap_work"),
+              0.02 * last(outcome.history, "strain_energy"));
 }
 
 /// The disc, or a ball, is pressed in alone.
@@ -251,6 +359,10 @@ TEST(RezoningScenes, SayWhatTheyCannotHave) {
   EXPECT_THAT(mistake(samples::replaced(
                   kRezoned, "output:", "self_contact: [{face: top, method: pointwise-penalty}]\noutput:")),
               HasSubstr("self_contact[0].method: found a penalty method"));
+  EXPECT_THAT(mistake(samples::replaced(kPressedOn, "carry: {y: -90}", "carry: {normal: -90}")),
+              HasSubstr("tools[0].carry.normal: found a force along the normal"));
+  EXPECT_THAT(mistake(samples::replaced(kPressedOn, "face: right, fix: [x]", "face: right, symmetry: true")),
+              HasSubstr("supports[1].until: found a plane of symmetry that lets go"));
   EXPECT_THAT(
       mistake(samples::replaced(kRezoned, "contact: [{tool: disc, face: top, method: augmented-lagrangian}]",
                                 "contact: []")),

@@ -149,6 +149,36 @@ TEST(IntegralContact, HeldEndsHaveNoMultiplierOfTheirOwn) {
   EXPECT_NEAR(term.weights().sum(), 1.0, 1e-14);
   Eigen::VectorXd x = test::randomState(first + term.numMultipliers(), 2e-3, 7);
   EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), 1e-7);
+
+  const int n = term.face().numFunctions();
+  const Eigen::VectorXd ofAll = IntegralContactTerm<2>(body, 0, faceFromName<2>("top"), onTool<2>(tool),
+                                                       integral(), first, noneHeld(first))
+                                    .weights();
+  EXPECT_LT((term.functionWeights() - ofAll).norm(), 1e-14);
+  const Eigen::VectorXd coefficients = Eigen::VectorXd::LinSpaced(n, 1.0, n);
+  term.setMultipliers(0, coefficients, x);
+  Eigen::VectorXd shared = coefficients;
+  shared.head(2).setConstant(1.5);
+  EXPECT_EQ(term.multipliers(0, x), shared);
+}
+
+TEST(IntegralContact, TractionsAlongTheFaceHaveMultipliersBehindThoseAcross) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const Tool tool = disc();
+  const int first = 2 * body.numNodes;
+  std::vector<bool> held = noneHeld(first);
+  const auto functions = faceFunctions(body.patches[0].basis(), faceFromName<2>("top"));
+  held[static_cast<std::size_t>(2 * functions.back())] = true;  // along the face
+  ContactOptions rubs = integral();
+  rubs.friction = FormulaText{"0.3"};
+  IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(tool), rubs, first, held);
+  const int n = term.face().numFunctions();
+  ASSERT_EQ(term.numMultipliers(), 2 * n - 1);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(first + term.numMultipliers());
+  term.setMultipliers(1, Eigen::VectorXd::LinSpaced(n, 1.0, n), x);
+  EXPECT_EQ(x.tail(n - 1).head(n - 2), Eigen::VectorXd::LinSpaced(n - 2, 1.0, n - 2));
+  EXPECT_EQ(x(x.size() - 1), n - 0.5);
+  EXPECT_TRUE(x.head(first + n).isZero(0.0));
 }
 
 /// A tool that nothing touches would have no stiffness; the nearest point holds it and says with what.

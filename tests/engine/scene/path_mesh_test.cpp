@@ -169,7 +169,6 @@ TEST(FollowingMeshes, RefuseWhatTheyCannotFollow) {
   EXPECT_THAT(error({"rezoning.spans=[4, 4, 4]"}),
               HasSubstr("rezoning.spans: found spans in a scene of three"));
   EXPECT_THAT(error({"contact[0].method=penalty"}), HasSubstr("contact[0].method: found a penalty method"));
-  EXPECT_THAT(error({"supports[0].until=1"}), HasSubstr("supports[0].until: found a support that lets go"));
   EXPECT_THAT(error({"supports[0].part=[0, 0.5, 0, 1]"}),
               HasSubstr("supports[0]: found a support on a part"));
   EXPECT_THAT(error({"geometry.relief=[{face: front, height: '0'}]"}), HasSubstr("found a relief"));
