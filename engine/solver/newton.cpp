@@ -249,7 +249,9 @@ NewtonOutcome Newton::judge(const Residual& residual, const Eigen::VectorXd& x, 
 /// Eisenstat and Walker's forcing terms: no more digits than the tangent is worth, as the last correction has
 /// shown.
 SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) {
-  constexpr double kMost = 1e-3, kLeast = 1e-13, kBeyond = 1e-2;
+  // One digit is enough far from equilibrium, once the first system of a search has told what digits cost; near it, a
+  // residual that hardly falls is to be that of rounding.
+  constexpr double kMost = 0.1, kMostNearby = 1e-3, kLeast = 1e-13, kBeyond = 1e-2, kNearby = 1e5;
   const auto& free = system_.freeUnknowns();
   SolveAccuracy accuracy;
   accuracy.rowWeights.resize(rhs.size());
@@ -263,8 +265,9 @@ SolveAccuracy Newton::accuracyFor(const Eigen::VectorXd& rhs, double reference) 
   const double size = rhs.cwiseProduct(accuracy.rowWeights).norm();
   const double ratio = size / weighedResidual_;
   weighedResidual_ = size;
+  const double most = std::isfinite(ratio) && size > kNearby ? kMost : kMostNearby;
   accuracy.reduction = options_.linear.tolerance.value_or(
-      std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, kMost));
+      std::clamp(std::max(kBeyond / size, 0.9 * ratio * ratio), kLeast, most));
   if (std::isfinite(ratio)) accuracy.fallen = ratio;
   return accuracy;
 }

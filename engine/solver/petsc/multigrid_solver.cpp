@@ -163,11 +163,9 @@ class MultigridSolver::Implementation {
     Eigen::Index sum = 0;
     for (PetscInt level = 0; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
       KSP smoother = nullptr;
-      Mat matrix = nullptr;
       MatInfo info;
       check(PCMGGetSmoother(cycle_, level, &smoother));
-      check(KSPGetOperators(smoother, &matrix, nullptr));
-      check(MatGetInfo(matrix, MAT_GLOBAL_SUM, &info));
+      check(MatGetInfo(matrixOf(smoother), MAT_GLOBAL_SUM, &info));
       sum += static_cast<Eigen::Index>(info.nz_used);
     }
     return sum;
@@ -198,7 +196,11 @@ class MultigridSolver::Implementation {
     ++counts_.setUps;
     isNear_ = false;
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
-    if (isSetUp_ && !knowsSpectra_) forSmoothers(keepSpectrum);
+    if (isSetUp_ && !knowsSpectra_)
+      forSmoothers([](KSP smoother) {
+        goRowByRow(matrixOf(smoother));
+        keepSpectrum(smoother);
+      });
     knowsSpectra_ = isSetUp_;
     return isSetUp_;
   }
@@ -212,15 +214,18 @@ class MultigridSolver::Implementation {
     }
   }
 
+  static Mat matrixOf(KSP smoother) {
+    Mat matrix = nullptr;
+    check(KSPGetOperators(smoother, &matrix, nullptr));
+    return matrix;
+  }
+
   /// Of the matrix that has been set up, for the next ones of the search: an estimate takes as long as four or five
   /// iterations, and the largest eigenvalue of a matrix with its incomplete factors hardly changes.
   static void keepSpectrum(KSP smoother) {
     constexpr double kLargest = 1.1, kSmallest = 0.1;  // of the estimate, as the library has them
-    Mat matrix = nullptr;
     KSP estimate = nullptr;
     PetscInt count = 0;
-    check(KSPGetOperators(smoother, &matrix, nullptr));
-    goRowByRow(matrix);
     check(KSPChebyshevEstEigGetKSP(smoother, &estimate));
     check(KSPGetIterationNumber(estimate, &count));
     Eigen::VectorXd real(count), imaginary(count);
