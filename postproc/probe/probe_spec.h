@@ -28,6 +28,8 @@ struct ProbeSpec {
 
   /// A point is looked at over time, and so is the mean of a path.
   bool isOverTime() const { return mean || !point.empty(); }
+
+  bool operator==(const ProbeSpec&) const = default;
 };
 
 /// Where a depth profile begins, and how far it goes.

@@ -53,12 +53,12 @@ const MeasureSpec& measureNamed(const StatementSpec& statement, const std::strin
 
 JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const ClaimSpec& claim,
                        const std::map<std::string, std::string>& parameters,
-                       const std::filesystem::path& studyDirectory) {
+                       const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
   std::vector<ClaimedValue> values;
   std::vector<Observed> numbers;
   for (const std::string& name : claim.runs) {
     const StudyRun& run = runNamed(study, fillIn(name, parameters));
-    values.push_back({run.label, evaluateMeasure(study, run, measure, studyDirectory)});
+    values.push_back({run.label, evaluateMeasure(study, run, measure, studyDirectory, seen)});
     numbers.push_back({.value = values.back().measured.comparable()});
   }
   return {fillIn(claim.text, parameters), judge(claim.expectation(), numbers).verdict,
@@ -68,12 +68,12 @@ JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const Cla
 }  // namespace
 
 std::vector<JudgedClaim> judgeClaims(const Study& study, const StatementSpec& statement,
-                                     const std::filesystem::path& studyDirectory) {
+                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
   std::vector<JudgedClaim> judged;
   for (const ClaimSpec& claim : statement.claims) {
     const MeasureSpec& measure = measureNamed(statement, claim.measure);
     for (const auto& parameters : combinations(claim.vary))
-      judged.push_back(judgeClaim(study, measure, claim, parameters, studyDirectory));
+      judged.push_back(judgeClaim(study, measure, claim, parameters, studyDirectory, seen));
   }
   return judged;
 }

@@ -16,6 +16,6 @@ struct JudgedClaim {
 
 /// All claims of a statement in their order. Throws `Error` for runs and measures that do not exist.
 std::vector<JudgedClaim> judgeClaims(const Study& study, const StatementSpec& statement,
-                                     const std::filesystem::path& studyDirectory);
+                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen);
 
 }  // namespace burnish

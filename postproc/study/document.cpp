@@ -61,7 +61,7 @@ class Document {
       data_.push_back(hasEnded(run, directory_) ? std::optional<RunData>(RunData(run, directory_))
                                                 : std::nullopt);
     for (const StatementSpec& statement : study.spec.statements)
-      judged_.push_back(judgeClaims(study, statement, directory_));
+      judged_.push_back(judgeClaims(study, statement, directory_, seen_));
   }
 
   std::string text() const {
@@ -201,7 +201,7 @@ class Document {
       std::vector<std::optional<double>> values;
       std::vector<std::string> marks;
       for (const StudyRun* run : runs) {
-        const Measured measured = evaluateMeasure(study_, *run, measure, directory_);
+        const Measured measured = evaluateMeasure(study_, *run, measure, directory_, seen_);
         values.push_back(measured.value);
         marks.push_back(notes.mark(measured.note));
       }
@@ -253,6 +253,7 @@ class Document {
   const Study& study_;
   const fs::path& directory_;
   const DocumentOptions& options_;
+  mutable SeenProfiles seen_;
   std::vector<std::optional<RunData>> data_;      ///< of each run of the study
   std::vector<std::vector<JudgedClaim>> judged_;  ///< of each statement
 };

@@ -11,7 +11,6 @@
 #include "engine/core/nearest.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/patch_geometry.h"
-#include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probed_run.h"
 #include "postproc/probe/section_numbers.h"
 #include "postproc/study/evidence/reductions.h"
@@ -80,8 +79,9 @@ Measured compareProfiles(const RunData& own, const RunData& other, const Profile
 /// Evaluates what a measure says on the results of one run.
 class Evaluation {
  public:
-  Evaluation(const Study& study, const RunData& data, const std::filesystem::path& studyDirectory)
-      : study_(study), data_(data), studyDirectory_(studyDirectory) {}
+  Evaluation(const Study& study, const RunData& data, const std::filesystem::path& studyDirectory,
+             SeenProfiles& seen)
+      : study_(study), data_(data), studyDirectory_(studyDirectory), seen_(seen) {}
 
   Measured operator()(const HistoryMeasure& measure) const {
     return reduceHistory(data_.history(), measure, data_.stoppedAt());
@@ -112,7 +112,7 @@ class Evaluation {
     const ResultReader result = data_.result();
     const FrameAt at = frameAt(data_, result, measure.time.value_or(kEndOfRun));
     if (at.stoppedBefore) return {{}, stoppedText(at.frame.time)};
-    const DepthNumbers numbers = depthNumbers(result.model(), at.frame, measure.place);
+    const DepthNumbers& numbers = seen_.of(data_, result, at.frame, measure.place);
     const auto row = std::ranges::find(kDepthNumbers, measure.number, &DepthNumberRow::name);
     const double value = row->value(numbers);
     return std::isnan(value) ? Measured{{}, "the body has none"} : Measured{value, {}};
@@ -160,6 +160,7 @@ class Evaluation {
   const Study& study_;
   const RunData& data_;
   const std::filesystem::path& studyDirectory_;
+  SeenProfiles& seen_;
 };
 
 }  // namespace
@@ -244,11 +245,21 @@ Measured convergenceOverSteps(const HistoryTable& convergence) {
   return valueOr(median(orders), "no step has three residuals above rounding");
 }
 
+const DepthNumbers& SeenProfiles::of(const RunData& run, const ResultReader& result, const FrameRecord& frame,
+                                     const ProbeSpec& place) {
+  const auto found = std::ranges::find_if(profiles_, [&](const Profile& profile) {
+    return profile.run == run.run().name && profile.time == frame.time && profile.place == place;
+  });
+  if (found != profiles_.end()) return found->numbers;
+  return profiles_.emplace_back(run.run().name, frame.time, place, depthNumbers(result.model(), frame, place))
+      .numbers;
+}
+
 Measured evaluateMeasure(const Study& study, const StudyRun& run, const MeasureSpec& measure,
-                         const std::filesystem::path& studyDirectory) {
+                         const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
   if (!hasEnded(run, studyDirectory)) return {{}, "no results"};
   const RunData data(run, studyDirectory);
-  return std::visit(Evaluation(study, data, studyDirectory), measure.what);
+  return std::visit(Evaluation(study, data, studyDirectory, seen), measure.what);
 }
 
 const StudyRun& runNamed(const Study& study, const std::string& name) {

@@ -1,8 +1,10 @@
 #pragma once
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "postproc/probe/depth_numbers.h"
 #include "postproc/study/run_data.h"
 #include "postproc/study/study.h"
 
@@ -34,9 +36,33 @@ double reduceLine(const ModelRecord& model, const FrameRecord& frame, const Line
 /// Median over the steps of `convergence.csv`.
 Measured convergenceOverSteps(const HistoryTable& convergence);
 
-/// A measure of a run of a study. No value if the run has no results.
+/// Depth profiles of a study's runs that have been looked at, each of which has many numbers.
+class SeenProfiles {
+ public:
+  /// Those of a frame of a run, computed where they are not known yet.
+  const DepthNumbers& of(const RunData& run, const ResultReader& result, const FrameRecord& frame,
+                         const ProbeSpec& place);
+
+ private:
+  struct Profile {
+    std::string run;
+    double time;
+    ProbeSpec place;
+    DepthNumbers numbers;
+  };
+  std::deque<Profile> profiles_;
+};
+
+/// A measure of a run of a study. No value if the run has no results. seen: of the same study.
 Measured evaluateMeasure(const Study& study, const StudyRun& run, const MeasureSpec& measure,
-                         const std::filesystem::path& studyDirectory);
+                         const std::filesystem::path& studyDirectory, SeenProfiles& seen);
+
+/// The same of a measure that is looked at alone.
+inline Measured evaluateMeasure(const Study& study, const StudyRun& run, const MeasureSpec& measure,
+                                const std::filesystem::path& studyDirectory) {
+  SeenProfiles seen;
+  return evaluateMeasure(study, run, measure, studyDirectory, seen);
+}
 
 /// The run of a name. Throws `Error` with the nearest name.
 const StudyRun& runNamed(const Study& study, const std::string& name);

@@ -18,6 +18,7 @@ using Fit = std::function<bool(const ChartScale&)>;
 constexpr int kMostIntervals = 6;
 constexpr double kPadding = 0.03;   ///< part of the data's range
 constexpr double kSlack = 1e-9;     ///< round-off, in parts of a step
+constexpr double kHardly = 0.05;    ///< beyond zero, in parts of a step
 constexpr double kConstant = 1e-8;  ///< below this part of its magnitude, a variation is not shown
 
 /// The smallest of `factors` times a power of ten that is not below the value.
@@ -90,6 +91,9 @@ ChartScale linearScale(const ChartAxis& axis, const Range& data, bool padded, co
       const double step = roundUp((wanted[1] - wanted[0]) / intervals, {1.0, 2.0, 2.5, 5.0});
       const double first = std::floor(wanted[0] / step + kSlack), last = std::ceil(wanted[1] / step - kSlack);
       scale.range = {first * step, last * step};
+      // Data that hardly cross zero, as interpolated strains do, get no interval of their own there.
+      if (first == -1.0 && data[0] >= -kHardly * step) scale.range[0] = -kHardly * step;
+      if (last == 1.0 && data[1] <= kHardly * step) scale.range[1] = kHardly * step;
       most = static_cast<int>(last - first) + 1;
     }
     setTicks(scale, std::max(2, most));

@@ -23,6 +23,7 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -55,6 +56,16 @@ TEST(ChartScale, ReachesToRoundValuesAroundTheData) {
   EXPECT_THAT(scale.labels, ElementsAre("0.0", "0.5", "1.0", "1.5", "2.0"));
   EXPECT_EQ(scale.factor, "");
   EXPECT_DOUBLE_EQ(scale.share(0.5), 0.25);
+}
+
+TEST(ChartScale, GivesDataThatHardlyCrossZeroNoInterval) {
+  const ChartScale scale = scaleOf({}, {-0.004, 0.58});
+  EXPECT_THAT(scale.range, ElementsAre(DoubleNear(-0.005, 1e-12), DoubleNear(0.6, 1e-12)));
+  EXPECT_THAT(scale.labels, ElementsAre("0.0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6"));
+  EXPECT_THAT(scaleOf({}, {-0.58, 0.004}).range,
+              ElementsAre(DoubleNear(-0.6, 1e-12), DoubleNear(0.005, 1e-12)));
+  EXPECT_THAT(scaleOf({}, {-0.006, 0.58}).range,
+              ElementsAre(DoubleNear(-0.1, 1e-12), DoubleNear(0.6, 1e-12)));
 }
 
 TEST(ChartScale, TakesAPowerOfTenOutOfSmallAndLargeValues) {

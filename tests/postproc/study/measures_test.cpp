@@ -218,8 +218,9 @@ TEST(EvaluateMeasure, ReadsTheResultsOfARun) {
 TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
   const ScratchDirectory directory;
   const Study study = madeUpStudy(directory.path());
+  SeenProfiles seen;
   const auto value = [&](std::size_t run, const Quantity& quantity) {
-    return evaluateMeasure(study, study.runs[run], {"m", "M", quantity}, directory.path());
+    return evaluateMeasure(study, study.runs[run], {"m", "M", quantity}, directory.path(), seen);
   };
   ProbeSpec place;
   place.depth = "top@1.5,1";
@@ -228,6 +229,10 @@ TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
               Optional(DoubleNear(0.85 * (1.0 - std::sqrt(0.002)), 1e-3)));
   EXPECT_EQ(value(0, DepthMeasure{place, "force", 1.0}).note, "the body has none");
   EXPECT_THAT(value(0, DepthMeasure{place, "depth", {}}).value, Optional(DoubleNear(0.85, 1e-8)));
+  ProbeSpec softer = place;
+  softer.hardenedBelow = 0.5;
+  EXPECT_THAT(value(0, DepthMeasure{softer, "hardened_depth", 1.0}).value,
+              Optional(DoubleNear(0.85 * (1.0 - std::sqrt(0.5)), 1e-3)));
 
   RoughnessMeasure roughness;
   roughness.face.face = "top";
@@ -282,7 +287,8 @@ TEST(Claims, ShowTheNumbersThatDecide) {
                        .expect = ClaimSpec::Expect::Increasing,
                        .within = {},
                        .range = {}}};
-  const auto judged = judgeClaims(study, statement, directory.path());
+  SeenProfiles seen;
+  const auto judged = judgeClaims(study, statement, directory.path(), seen);
   ASSERT_EQ(judged.size(), 2U);
   EXPECT_EQ(judged[0].verdict, Verdict::Holds);
   EXPECT_EQ(judged[0].text, "NURBS from above");
@@ -294,7 +300,9 @@ TEST(Claims, ShowTheNumbersThatDecide) {
   claim.text = "they differ";
   claim.vary = {};
   claim.runs = {"nurbs-fine", "nurbs-middle"};
-  const auto verdictOf = [&] { return judgeClaims(study, statement, directory.path()).front().verdict; };
+  const auto verdictOf = [&] {
+    return judgeClaims(study, statement, directory.path(), seen).front().verdict;
+  };
   claim.expect = ClaimSpec::Expect::Different;
   claim.within = 0.04;
   EXPECT_EQ(verdictOf(), Verdict::Holds);
