@@ -12,6 +12,7 @@
 #include "engine/analysis/settle.h"
 #include "engine/core/error.h"
 #include "engine/nurbs/arc_length_curve.h"
+#include "engine/scene/path_of_tool.h"
 
 namespace burnish {
 namespace {
@@ -73,6 +74,13 @@ double smallestThickness(const Model<2>& model, const ModelBody<2>& body, const 
     smallest = std::min(smallest, 0.5 * box.sizes().minCoeff());
   }
   return smallest;
+}
+
+std::vector<std::optional<ToolPath>> pathsOf(const Scene& scene) {
+  std::vector<std::optional<ToolPath>> paths;
+  for (const ToolSpec& tool : scene.tools)
+    paths.push_back(tool.path ? std::optional(pathOf(tool)) : std::nullopt);
+  return paths;
 }
 
 /// Parameters of the quadrature points of a contact face.
@@ -178,7 +186,9 @@ ContactPlace findContact(const MeshChoice& choice, const Simulation<2>& simulati
   const FaceContacts contacts = contactsOf(model, choice.place);
   ContactSearch search;
   for (const ContactPair<2>* pair : contacts.tools) {
-    search.begin(before.travelOfTool(pair->tool, now));
+    const auto& path = choice.paths[pair->tool];
+    search.begin(path ? Eigen::Vector2d(path->wayAhead(simulation.stepping.state().time).head<2>())
+                      : before.travelOfTool(pair->tool, now));
     const ContactState& state = pair->term->state();
     const Eigen::VectorXd parameters = parametersOf(pair->term->face());
     for (Eigen::Index point = 0; point < parameters.size(); ++point)
@@ -252,12 +262,17 @@ MeshChoice meshChoice(const Scene& scene, const Simulation<2>& initial) {
           .ahead = options.ahead.value_or(kAhead * length),
           .behind = options.behind.value_or(kBehind * length),
           .rounding = kRounding * length,
-          .options = options};
+          .options = options,
+          .paths = pathsOf(scene)};
 }
 
-bool hasPartner(const MeshChoice& choice, const Model<2>& model) {
-  const FaceContacts contacts = contactsOf(model, choice.place);
-  return !contacts.tools.empty() || !contacts.pairs.empty();
+bool mayBeTouched(const MeshChoice& choice, const Simulation<2>& simulation) {
+  const FaceContacts contacts = contactsOf(*simulation.model, choice.place);
+  const double time = simulation.stepping.state().time;
+  return !contacts.pairs.empty() || std::ranges::any_of(contacts.tools, [&](const ContactPair<2>* pair) {
+    const auto& path = choice.paths[pair->tool];
+    return !path || !path->isLifted(time);
+  });
 }
 
 std::optional<Remeshing> chooseMesh(const MeshChoice& choice, const Simulation<2>& simulation,

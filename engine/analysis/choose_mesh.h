@@ -1,12 +1,14 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "engine/analysis/partner_places.h"
 #include "engine/analysis/simulation.h"
 #include "engine/rezoning/remesh.h"
 #include "engine/scene/scene.h"
 #include "engine/solid/face_place.h"
+#include "engine/tools/tool_path.h"
 
 namespace burnish {
 
@@ -19,6 +21,7 @@ struct MeshChoice {
   double behind = 0.0;    ///< … and behind it
   double rounding = 0.0;  ///< length within which the growth of the spans begins
   RezoningOptions options;
+  std::vector<std::optional<ToolPath>> paths;  ///< per tool
 };
 
 /// The face is the body's in the first contact of the scene that it has a part in. Lengths that the scene leaves
@@ -27,8 +30,9 @@ struct MeshChoice {
 /// which the run begins.
 MeshChoice meshChoice(const Scene& scene, const Simulation<2>& initial);
 
-/// Whether a tool that has not left or another body may touch the face along which spans are distributed.
-bool hasPartner(const MeshChoice& choice, const Model<2>& model);
+/// Whether a tool that has not left nor been lifted between two passes, or another body, may touch the face along which
+/// spans are distributed.
+bool mayBeTouched(const MeshChoice& choice, const Simulation<2>& simulation);
 
 /// A sound mesh of the deformed body that is fine where tools and other bodies press on its face, or are nearest
 /// to it, and ahead of them, and that begins in contact with the tools where such a mesh is found. Nothing if no

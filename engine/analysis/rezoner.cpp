@@ -25,7 +25,7 @@ Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
       origin_(ownPositions(bodyOf(initial).body)) {}
 
 bool Rezoner::isDue(const Simulation<2>& simulation) const {
-  return !isReleasing(scene(), simulation.stepping.state().time) && hasPartner(choice_, *simulation.model) &&
+  return !isReleasing(scene(), simulation.stepping.state().time) && mayBeTouched(choice_, simulation) &&
          trigger_.isDue(simulation);
 }
 

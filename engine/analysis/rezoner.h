@@ -20,7 +20,7 @@ class Rezoner : public MeshRenewal<2> {
   Rezoner(const Scene& scene, const Simulation<2>& initial);
 
   /// Whether the last accepted state calls for a new mesh. Not while forces fade of supports and tools that have let go,
-  /// nor when nothing is left that may touch the face along which spans are distributed.
+  /// nor while nothing may touch the face along which spans are distributed.
   bool isDue(const Simulation<2>& simulation) const;
 
   /// The simulation that goes on from the last accepted state of this one, in equilibrium on a new mesh.

@@ -131,6 +131,22 @@ Eigen::Vector3d ToolPath::clearance(double t) const {
   return Eigen::AngleAxisd(turn(t), axis()) * clearance_;
 }
 
+bool ToolPath::isLifted(double t) const {
+  constexpr double kRounding = 1e-12;
+  if (clearance_.isZero(0.0) || touches_.empty() || t < touches_.front().end) return false;
+  const auto next = std::ranges::find_if(touches_, [t](const Pass& touch) { return t < touch.end; });
+  if (next == touches_.end()) return true;
+  const auto down = std::ranges::find_if(legs_, [&](const Leg& leg) { return leg.end == next->begin; });
+  return t < down->begin * (1.0 - kRounding);
+}
+
+Eigen::Vector3d ToolPath::wayAhead(double t) const {
+  const auto next = std::ranges::find_if(touches_, [t](const Pass& touch) { return t < touch.end; });
+  if (next == touches_.end()) return Eigen::Vector3d::Zero();
+  const Leg* leg = legAt(std::max(t, next->begin));
+  return leg->to - leg->from;
+}
+
 std::vector<double> ToolPath::passEnds() const {
   std::vector<double> times;
   for (const Pass& pass : passes_) times.push_back(pass.end);

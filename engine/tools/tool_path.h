@@ -132,6 +132,12 @@ class ToolPath {
   /// turns of a helix, are one.
   const std::vector<Pass>& touches() const { return touches_; }
 
+  /// Whether it has been lifted off a touch and does not come down to the next one yet. Never without clearance.
+  bool isLifted(double t) const;
+
+  /// Way of the part of a touch that the tool goes at time t or, in the air, that it comes down to; none behind the last.
+  Eigen::Vector3d wayAhead(double t) const;
+
   /// From where the tool comes down and to where it is lifted, as a helix has turned it at time t.
   Eigen::Vector3d clearance(double t) const;
 

@@ -255,6 +255,32 @@ TEST(RezoningRun, MeshesAreLeftAloneWhileASupportLetsGo) {
     }
 }
 
+TEST(RezoningRun, AToolInTheAirNeedsNoNewMesh) {
+  const std::string path =
+      "carry: {y: -60}, path: {course: raster, start: [0, -0.15], stroke: [0.4, 0], passes: 2, speed: 1, "
+      "clearance: [0, 0.17], ramp: 0.1}}\n";
+  const std::size_t motion = kRubbed.find("motion:"), contact = kRubbed.find("contact:");
+  const std::string scene = samples::replaced(kRubbed, kRubbed.substr(motion, contact - motion), path);
+  const test::Outcome outcome =
+      test::run(parseScene(scene, "test.yaml", {"steps=[{until: 1.9, count: 76}]"}), "raster");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  ASSERT_GE(outcome.summary.rezonings.size(), 5u);
+  EXPECT_EQ(outcome.summary.failedRezonings, 0) << outcome.summary.rezoningFailure;
+  // Down 0.17, pass 0.4, up 0.17; back 0.4; the same again.
+  int inSecondPass = 0;
+  for (const RezoningRecord& rezoning : outcome.summary.rezonings) {
+    const double time = rezoning.time;
+    EXPECT_TRUE(time <= 0.57 || (time >= 1.14 - 1e-9 && time <= 1.71)) << time;
+    inSecondPass += time > 0.9 ? 1 : 0;
+  }
+  EXPECT_GE(inSecondPass, 3);
+  const auto& times = outcome.history.column("time");
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if ((times[k] > 0.28 && times[k] < 0.46) || (times[k] > 1.42 && times[k] < 1.6)) {
+      EXPECT_NEAR(outcome.history.column("disc.fy")[k], 60.0, 60.0 * 1e-8) << times[k];
+    }
+}
+
 TEST(RezoningRun, WarnsOfForcesThatFadeUntilTheEnd) {
   const Scene scene = parseScene(samples::replaced(kPressedOn, ", released_by: 1.3", ""), "test.yaml",
                                  {"steps=[{until: 1, count: 4}, {until: 1.2, count: 2}]"});

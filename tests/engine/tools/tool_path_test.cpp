@@ -55,6 +55,19 @@ TEST(ToolPath, ARasterComesDownGoesUpAndFeeds) {
   EXPECT_LT((path.displacement(0.0) - Vector3d(0.0, 0.9, 0.0)).norm(), kRounding);
   EXPECT_LT((path.displacement(3.0) - Vector3d(2.0, -0.1, 0.0)).norm(), kRounding);
   EXPECT_LT((path.displacement(14.0) - Vector3d(2.0, -0.1, 3.0)).norm(), kRounding);
+
+  for (const double t : {0.0, 0.5, 3.0, 4.999, 11.0, 11.5, 15.0}) EXPECT_FALSE(path.isLifted(t)) << t;
+  for (const double t : {5.001, 6.0, 10.0, 10.999, 16.001, 20.0}) EXPECT_TRUE(path.isLifted(t)) << t;
+  for (const double t : {0.0, 3.0, 8.0, 14.0})
+    EXPECT_LT((path.wayAhead(t) - Vector3d(4.0, 0.0, 0.0)).norm(), kRounding) << t;
+  EXPECT_TRUE(path.wayAhead(16.5).isZero(0.0));
+}
+
+TEST(ToolPath, WithoutClearanceIsNeverLifted) {
+  PathSpec spec = along(PolylinePath{{{0.0, -0.1}, {3.0, -0.1}, {1.0, -0.1}}});
+  const ToolPath path(spec, Vector3d::Zero());
+  for (const double t : {0.0, 2.0, 4.0, 9.0}) EXPECT_FALSE(path.isLifted(t)) << t;
+  EXPECT_LT((path.wayAhead(4.0) - Vector3d(-2.0, 0.0, 0.0)).norm(), kRounding);
 }
 
 TEST(ToolPath, ARampTakesTheForceUpAndDownInEveryPass) {
