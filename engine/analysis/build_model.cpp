@@ -39,11 +39,11 @@ class ModelBuilder {
 
  private:
   ModelBuilder(const Scene& scene, const std::vector<NamedBody<Dim>>& bodies)
-      : scene_(scene), model_(new Model<Dim>(scene, bodies)) {}
+      : scene_(scene), model_(new Model<Dim>(scene, bodies)), firstSize_(model_->body_.size()) {}
 
   static std::vector<NamedBody<Dim>> bodiesOf(const Scene& scene);
 
-  /// Of the bodies as a run of the scene begins with them: turns of tools are measured in it on every mesh.
+  /// Of the bodies as a run of the scene begins with them.
   static double firstSize(const Scene& scene);
 
   const SpanQuadrature<Dim>& addQuadrature(std::size_t body);
@@ -72,6 +72,7 @@ class ModelBuilder {
 
   const Scene& scene_;
   std::unique_ptr<Model<Dim>> model_;
+  double firstSize_;                           ///< in which turns of tools are measured, on every mesh
   const RezonedBody<Dim>* rezoned_ = nullptr;  ///< null for the scene's own bodies
 };
 
@@ -119,6 +120,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::rebuild(const Scene& scene, const
     bodies.push_back(k == number ? rezoned.named : makeBody<Dim>(scene, k));
   ModelBuilder builder(scene, bodies);
   builder.rezoned_ = &rezoned;
+  builder.firstSize_ = firstSize(scene);
   Model<Dim>& model = *builder.model_;
   const auto [firstNode, endNode] = model.bodies_[number].body.nodeRange();
   model.start_.time = rezoned.time;
@@ -241,8 +243,7 @@ template <int Dim>
 void ModelBuilder<Dim>::addTool(std::size_t number) {
   const auto& spec = scene_.tools[number];
   try {
-    const double size = rezoned_ == nullptr ? model_->body_.size() : firstSize(scene_);
-    model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, size));
+    model_->tools_.push_back(makeTool(spec, scene_, model_->numForces_, firstSize_));
   } catch (const KeyError& error) {
     throw InputError(fmt::format("tools[{}].{}", number, error.key()), error.what());
   } catch (const Error& error) {
