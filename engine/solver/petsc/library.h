@@ -48,5 +48,6 @@ using Indices = Owned<IS, ISDestroy>;
 using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using Solver = Owned<KSP, KSPDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
+using Container = Owned<PetscContainer, PetscContainerDestroy>;
 
 }  // namespace burnish::petsc

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/solver/compact_matrix.h"
+#include "engine/solver/incomplete_factors.h"
 #include "engine/solver/petsc/border.h"
 #include "engine/solver/petsc/library.h"
 
@@ -62,6 +66,11 @@ void goRowByRow(Mat matrix) {
   check(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));
 }
 
+/// The rows of a matrix as the library sees it, which are the columns of one of Eigen.
+SparseRows rowsOf(const Eigen::SparseMatrix<double>& A) {
+  return {static_cast<int>(A.outerSize()), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr()};
+}
+
 /// A vector of the library for reading, as one of Eigen.
 template <class F>
 void read(Vec vector, const F& f) {
@@ -73,10 +82,6 @@ void read(Vec vector, const F& f) {
   check(VecRestoreArrayRead(vector, &values));
 }
 
-bool isFinite(const SystemBorder& border) {
-  return border.B.coeffs().allFinite() && border.G.coeffs().allFinite() && border.C.coeffs().allFinite();
-}
-
 template <class F>
 void write(Vec vector, const F& f) {
   PetscScalar* values = nullptr;
@@ -85,6 +90,80 @@ void write(Vec vector, const F& f) {
   check(VecGetArray(vector, &values));
   f(Eigen::Map<Eigen::VectorXd>(values, size));
   check(VecRestoreArray(vector, &values));
+}
+
+/// What smooths on a level of a process that is alone: the level's matrix and its incomplete factors. Both are what the library
+/// does not have, rows of nodes in single precision: it takes four times as long.
+class LevelSmoother {
+ public:
+  /// Makes a preconditioner one of these, which is set up for each new matrix, whose products by the library are then those of
+  /// single precision. `smoother` has to stay.
+  static void attach(PC preconditioner, std::unique_ptr<LevelSmoother>& smoother) {
+    check(PCSetType(preconditioner, PCSHELL));
+    check(PCShellSetContext(preconditioner, &smoother));
+    check(PCShellSetSetUp(preconditioner, setUp));
+    check(PCShellSetApply(preconditioner, apply));
+  }
+
+ private:
+  explicit LevelSmoother(const SparseRows& A) : groups_(A), matrix_(groups_), factors_(groups_) {}
+
+  static std::unique_ptr<LevelSmoother>& of(PC preconditioner) {
+    void* context = nullptr;
+    check(PCShellGetContext(preconditioner, &context));
+    return *static_cast<std::unique_ptr<LevelSmoother>*>(context);
+  }
+
+  static PetscErrorCode setUp(PC preconditioner) {
+    auto& self = of(preconditioner);
+    Mat A = nullptr;
+    check(PCGetOperators(preconditioner, nullptr, &A));
+    SparseRows rows{};
+    PetscBool isDone = PETSC_FALSE;
+    check(MatGetRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &rows.size, &rows.begins, &rows.columns, &isDone));
+    check(MatSeqAIJGetArrayRead(A, &rows.values));
+    if (self == nullptr) self.reset(new LevelSmoother(rows));
+    self->matrix_.assign(rows);
+    const bool hasFactors = self->factors_.factorise(rows);
+    check(MatSeqAIJRestoreArrayRead(A, &rows.values));
+    check(MatRestoreRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &rows.size, &rows.begins, &rows.columns, &isDone));
+    check(PCSetFailedReason(preconditioner, hasFactors ? PC_NOERROR : PC_FACTOR_NUMERIC_ZEROPIVOT));
+    petsc::Container container;
+    check(PetscContainerCreate(PETSC_COMM_SELF, container.place()));
+    check(PetscContainerSetPointer(container, self.get()));
+    check(PetscObjectCompose(reinterpret_cast<PetscObject>(A), kName,
+                             reinterpret_cast<PetscObject>(static_cast<PetscContainer>(container))));
+    check(MatSetOperation(A, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+    return 0;
+  }
+
+  static PetscErrorCode multiply(Mat A, Vec x, Vec y) {
+    PetscObject container = nullptr;
+    void* self = nullptr;
+    check(PetscObjectQuery(reinterpret_cast<PetscObject>(A), kName, &container));
+    check(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &self));
+    read(x, [&](auto from) {
+      write(y, [&](auto to) { static_cast<LevelSmoother*>(self)->matrix_.multiply(from.data(), to.data()); });
+    });
+    return 0;
+  }
+
+  static PetscErrorCode apply(PC preconditioner, Vec b, Vec x) {
+    read(b, [&](auto from) {
+      write(x, [&](auto to) { of(preconditioner)->factors_.solve(from.data(), to.data()); });
+    });
+    return 0;
+  }
+
+  static constexpr const char* kName = "burnish_smoother";
+
+  RowGroups groups_;
+  CompactMatrix matrix_;
+  IncompleteFactors factors_;
+};
+
+bool isFinite(const SystemBorder& border) {
+  return border.B.coeffs().allFinite() && border.G.coeffs().allFinite() && border.C.coeffs().allFinite();
 }
 
 }  // namespace
@@ -188,7 +267,7 @@ class MultigridSolver::Implementation {
   bool setUpCycle() {
     if (cycle_ == nullptr) makeCycle();
     noteChangedValues();
-    check(PCSetOperators(cycle_, A_->hasProducts() ? withProducts_ : K_, K_));
+    check(PCSetOperators(cycle_, exact_, K_));
     if (!knowsSpectra_)
       forSmoothers([](KSP smoother) {
         check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
@@ -257,6 +336,8 @@ class MultigridSolver::Implementation {
 
   void forgetCycle() {
     cycle_.reset();
+    smoothers_.clear();
+    if (K_ != nullptr) check(MatSetOperation(K_, MATOP_MULT, multiplyK_));
     isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
 
@@ -391,11 +472,13 @@ class MultigridSolver::Implementation {
   /// The library sees the transpose of K, which need not be symmetric.
   void makeMatrix(const SystemMatrix& A) {
     K_ = team_.isAlone() ? view(A.leading()) : viewParts(A);
+    if (team_.isAlone()) groups_.emplace(rowsOf(A.leading()));
     goRowByRow(K_);
+    check(MatGetOperation(K_, MATOP_MULT, &multiplyK_));
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
-                         static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, withProducts_.place()));
-    check(MatShellSetOperation(withProducts_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
+                         static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, exact_.place()));
+    check(MatShellSetOperation(exact_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
     if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
@@ -404,6 +487,7 @@ class MultigridSolver::Implementation {
   /// One V-cycle over all levels.
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
+    smoothers_.resize(prolongations_.size());
     check(PCCreate(communicator(), cycle_.place()));
     check(PCSetType(cycle_, PCMG));
     check(PCSetUseAmat(cycle_, PETSC_FALSE));  // levels are those of the entries
@@ -419,7 +503,7 @@ class MultigridSolver::Implementation {
       check(
           KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? steps_ : 2));
       check(KSPGetPC(smoother, &sweep));
-      makeSweep(sweep);
+      makeSweep(sweep, smoothers_[static_cast<std::size_t>(level - 1)]);
     }
     KSP coarse = nullptr;
     PC factors = nullptr;
@@ -438,12 +522,9 @@ class MultigridSolver::Implementation {
 
   /// Several ranks have factors of their own rows and columns each, of those next to them as well where they overlap,
   /// and sweep over their own rows.
-  void makeSweep(PC sweep) const {
+  void makeSweep(PC sweep, std::unique_ptr<LevelSmoother>& smoother) const {
     if (!factorises_) return check(PCSetType(sweep, PCSOR));
-    if (team_.isAlone()) {
-      check(PCSetType(sweep, PCICC));
-      return check(PCFactorSetShiftType(sweep, MAT_SHIFT_POSITIVE_DEFINITE));
-    }
+    if (team_.isAlone()) return LevelSmoother::attach(sweep, smoother);
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_type", PCICC));
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_factor_shift_type", "positive_definite"));
     check(PCSetType(sweep, overlaps_ ? PCASM : PCBJACOBI));
@@ -522,7 +603,20 @@ class MultigridSolver::Implementation {
     void* context = nullptr;
     check(MatShellGetContext(shell, &context));
     auto& self = *static_cast<Implementation*>(context);
-    check(self.kind_ == TangentKind::Symmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
+    const bool isSymmetric = self.kind_ == TangentKind::Symmetric;
+    if (self.groups_) {
+      const SparseRows rows = rowsOf(self.A_->leading());
+      read(x, [&](auto in) {
+        write(y, [&](auto out) {
+          if (isSymmetric)
+            self.groups_->multiply(rows, in.data(), out.data());
+          else
+            self.groups_->multiplyTransposed(rows, in.data(), out.data());
+        });
+      });
+    } else {
+      check(isSymmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
+    }
     if (!self.A_->hasProducts()) return 0;
     Eigen::VectorXd coupled = Eigen::VectorXd::Zero(self.N_), product = Eigen::VectorXd::Zero(self.n_);
     read(x, [&](auto in) { coupled.segment(self.first_, self.n_) = in; });
@@ -559,7 +653,7 @@ class MultigridSolver::Implementation {
     const bool isLast = self.team_.isLast();
     read(x, [&](auto in) {
       write(self.in_, [&](auto u) { u = in.head(n); });
-      check(multiplyByK(self.withProducts_, self.in_, self.out_));
+      check(multiplyByK(self.exact_, self.in_, self.out_));
       Eigen::VectorXd lambda(m), border = self.ownG_ * in.head(n);
       if (isLast) lambda = in.tail(m);
       self.team_.share(asSpan(lambda), self.team_.size() - 1);
@@ -606,8 +700,12 @@ class MultigridSolver::Implementation {
   BorderZone zone_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
   const SystemMatrix* A_ = nullptr;
-  petsc::Matrix K_;             ///< transposed; without products
-  petsc::Matrix withProducts_;  ///< K as it is, to multiply by
+  petsc::Matrix K_;  ///< transposed; without products; multiplied by as its smoother does while it has one
+  std::optional<RowGroups> groups_;  ///< of K in a process that is alone
+  petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
+  void (*multiplyK_)() = nullptr;    ///< the library's own
+  std::vector<std::unique_ptr<LevelSmoother>>
+      smoothers_;  ///< from the second coarsest level on; in use by the cycle
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
   petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`

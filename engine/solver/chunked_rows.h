@@ -1,0 +1,108 @@
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "engine/core/lanes.h"
+#include "engine/solver/row_groups.h"
+
+namespace burnish {
+
+/// Half as wide as `Lanes`.
+using SingleLanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+
+[[gnu::always_inline]] inline void load(const double* from, Lanes& to) {
+  std::memcpy(&to, from, sizeof to);
+}
+
+[[gnu::always_inline]] inline void load(const float* from, Lanes& to) {
+  SingleLanes values;
+  std::memcpy(&values, from, sizeof values);
+  to = __builtin_convertvector(values, Lanes);
+}
+
+[[gnu::always_inline]] inline void store(const Lanes& from, double* to) {
+  std::memcpy(to, &from, sizeof from);
+}
+
+[[gnu::always_inline]] inline double sumOf(const Lanes& lanes) {
+  double sum = 0.0;
+  for (int lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
+  return sum;
+}
+
+/// Calls f with the number of a group's rows as a compile-time constant.
+template <class F>
+[[gnu::always_inline]] inline void withRows(int count, const F& f) {
+  if (count == 3)
+    f(std::integral_constant<int, 3>{});
+  else if (count == 2)
+    f(std::integral_constant<int, 2>{});
+  else
+    f(std::integral_constant<int, 1>{});
+}
+
+/// Rows of groups in single precision, which are computed with in double precision. Columns are taken by chunks of as many as
+/// there are lanes; those of a chunk beyond the end of its run have zeros, and are read, and written back as they were, in
+/// vectors too, which have to be longer by `kBehind`.
+struct ChunkedRows {
+  static constexpr int kBehind = kLanes - 1;
+
+  struct Chunk {
+    int first, length;  ///< columns
+  };
+
+  ChunkedRows() = default;
+
+  /// All columns of each group, or those behind its last row alone.
+  ChunkedRows(const RowGroups& groups, bool onlyBehind);
+
+  const Chunk* chunksOf(int group) const {
+    return chunks.data() + chunkBegins[static_cast<std::size_t>(group)];
+  }
+  const Chunk* endOf(int group) const { return chunksOf(group + 1); }
+  float* valuesOf(int group) { return values.data() + valueBegins[static_cast<std::size_t>(group)]; }
+  const float* valuesOf(int group) const {
+    return values.data() + valueBegins[static_cast<std::size_t>(group)];
+  }
+
+  /// sums(r) = sum over columns of the group's row r times x.
+  template <int Rows>
+  void multiply(int group, const double* x, double* sums) const {
+    Lanes lanes[Rows] = {}, factors, entries;
+    const float* from = valuesOf(group);
+    for (const Chunk *chunk = chunksOf(group), *end = endOf(group); chunk < end;
+         ++chunk, from += Rows * kLanes) {
+      load(x + chunk->first, factors);
+      unrolled<Rows>([&](auto r) {
+        load(from + r * kLanes, entries);
+        lanes[r] += entries * factors;
+      });
+    }
+    unrolled<Rows>([&](auto r) { sums[r] = sumOf(lanes[r]); });
+  }
+
+  /// y -= sum over the group's rows r times factors(r).
+  template <int Rows>
+  void subtract(int group, const double* factors, double* y) const {
+    Lanes lanes[Rows], sum, entries;
+    unrolled<Rows>([&](auto r) { lanes[r] = Lanes{} + factors[r]; });
+    const float* from = valuesOf(group);
+    for (const Chunk *chunk = chunksOf(group), *end = endOf(group); chunk < end;
+         ++chunk, from += Rows * kLanes) {
+      load(y + chunk->first, sum);
+      unrolled<Rows>([&](auto r) {
+        load(from + r * kLanes, entries);
+        sum -= entries * lanes[r];
+      });
+      store(sum, y + chunk->first);
+    }
+  }
+
+  std::vector<Chunk> chunks;
+  std::vector<std::size_t> chunkBegins, valueBegins;  ///< per group
+  std::vector<float> values;                          ///< row after row in each chunk
+};
+
+}  // namespace burnish

@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+#include <vector>
+
+namespace burnish {
+
+/// A square sparse matrix row by row, or the transpose of one column by column, in arrays of somebody else. Columns ascend
+/// in each row; the pattern is symmetric.
+struct SparseRows {
+  int size;
+  const int* begins;  ///< of rows among entries, and their end
+  const int* columns;
+  const double* values;
+};
+
+/// Neighbouring rows that have the same columns, as those of a node's displacements, and runs of neighbouring columns in
+/// them: indices are read once for many entries, which stream through the lanes of the processor.
+class RowGroups {
+ public:
+  static constexpr int kMostRows = 3;  ///< in a group
+  struct Run {
+    int first, length;  ///< columns
+  };
+
+  explicit RowGroups(const SparseRows& A);
+
+  int size() const { return static_cast<int>(begins_.size()) - 1; }
+  int numRows() const { return begins_.back(); }
+  int begin(int group) const { return begins_[static_cast<std::size_t>(group)]; }
+  int count(int group) const { return begin(group + 1) - begin(group); }
+  int groupOf(int row) const { return groupOf_[static_cast<std::size_t>(row)]; }
+  std::span<const Run> runs(int group) const {
+    const auto g = static_cast<std::size_t>(group);
+    return {runs_.data() + runBegins_[g], runs_.data() + runBegins_[g + 1]};
+  }
+
+  /// y = A x, of a matrix with this pattern.
+  void multiply(const SparseRows& A, const double* x, double* y) const;
+
+  /// y = Aᵀ x.
+  void multiplyTransposed(const SparseRows& A, const double* x, double* y) const;
+
+ private:
+  std::vector<int> begins_{0};  ///< rows
+  std::vector<int> groupOf_;    ///< per row
+  std::vector<Run> runs_;       ///< of all groups
+  std::vector<int> runBegins_;
+};
+
+}  // namespace burnish
