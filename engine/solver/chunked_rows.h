@@ -1,4 +1,8 @@
 #pragma once
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -9,17 +13,23 @@
 
 namespace burnish {
 
+#ifndef __AVX__
 /// Half as wide as `Lanes`.
 using SingleLanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+#endif
 
 [[gnu::always_inline]] inline void load(const double* from, Lanes& to) {
   std::memcpy(&to, from, sizeof to);
 }
 
 [[gnu::always_inline]] inline void load(const float* from, Lanes& to) {
+#ifdef __AVX__
+  to = _mm256_cvtps_pd(_mm_loadu_ps(from));  // GCC 12 makes two conversions and more of the other branch
+#else
   SingleLanes values;
   std::memcpy(&values, from, sizeof values);
   to = __builtin_convertvector(values, Lanes);
+#endif
 }
 
 [[gnu::always_inline]] inline void store(const Lanes& from, double* to) {
