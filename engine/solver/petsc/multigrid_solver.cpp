@@ -11,6 +11,7 @@
 
 #include "engine/core/error.h"
 #include "engine/solver/compact_matrix.h"
+#include "engine/solver/galerkin_product.h"
 #include "engine/solver/incomplete_factors.h"
 #include "engine/solver/petsc/border.h"
 #include "engine/solver/petsc/library.h"
@@ -50,25 +51,24 @@ constexpr int kRestart = 100;
 /// Of preconditioners whose parts are set by the library's options.
 constexpr const char* kPrefix = "burnish_";
 
-/// A matrix of the library, which has rows, over the arrays of one of Eigen: its transpose if that has columns.
+/// The rows of a matrix, or of the transpose of one that has columns.
 template <int Order>
-petsc::Matrix view(const Eigen::SparseMatrix<double, Order>& A) {
+SparseRows rowsOf(const Eigen::SparseMatrix<double, Order>& A) {
+  return {static_cast<int>(A.outerSize()), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr()};
+}
+
+/// A matrix of the library over the arrays of others.
+petsc::Matrix view(const SparseRows& A, Eigen::Index numColumns) {
   petsc::Matrix matrix;
-  check(MatCreateSeqAIJWithArrays(
-      PETSC_COMM_SELF, static_cast<PetscInt>(A.outerSize()), static_cast<PetscInt>(A.innerSize()),
-      const_cast<PetscInt*>(A.outerIndexPtr()), const_cast<PetscInt*>(A.innerIndexPtr()),
-      const_cast<double*>(A.valuePtr()), matrix.place()));
+  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, A.size, static_cast<PetscInt>(numColumns),
+                                  const_cast<PetscInt*>(A.begins), const_cast<PetscInt*>(A.columns),
+                                  const_cast<double*>(A.values), matrix.place()));
   return matrix;
 }
 
 /// Rows of one pattern, as the three of a node, are not gone through together, which takes half as long again.
 void goRowByRow(Mat matrix) {
   check(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));
-}
-
-/// The rows of a matrix as the library sees it, which are the columns of one of Eigen.
-SparseRows rowsOf(const Eigen::SparseMatrix<double>& A) {
-  return {static_cast<int>(A.outerSize()), A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr()};
 }
 
 /// A vector of the library for reading, as one of Eigen.
@@ -92,74 +92,56 @@ void write(Vec vector, const F& f) {
   check(VecRestoreArray(vector, &values));
 }
 
-/// What smooths on a level of a process that is alone: the level's matrix and its incomplete factors. Both are what the library
-/// does not have, rows of nodes in single precision: it takes four times as long.
+/// What smooths on a level of a process that is alone: products and incomplete factors of the level's matrix, both by rows of
+/// nodes in single precision, which the library does not have and takes a multiple of the time for.
 class LevelSmoother {
  public:
-  /// Makes a preconditioner one of these, which is set up for each new matrix, whose products by the library are then those of
-  /// single precision. `smoother` has to stay.
-  static void attach(PC preconditioner, std::unique_ptr<LevelSmoother>& smoother) {
+  explicit LevelSmoother(const RowGroups& groups) : matrix_(groups), factors_(groups) {
+    const PetscInt size = groups.numRows();
+    check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, product_.place()));
+    check(MatShellSetOperation(product_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  }
+  LevelSmoother(const LevelSmoother&) = delete;
+  LevelSmoother& operator=(const LevelSmoother&) = delete;
+
+  /// False if there are no factors.
+  bool assign(const SparseRows& A) {
+    matrix_.assign(A);
+    return factors_.factorise(A);
+  }
+
+  /// To multiply by.
+  Mat product() const { return product_; }
+
+  /// Makes a preconditioner the factors' solution.
+  void attachTo(PC preconditioner) {
     check(PCSetType(preconditioner, PCSHELL));
-    check(PCShellSetContext(preconditioner, &smoother));
-    check(PCShellSetSetUp(preconditioner, setUp));
-    check(PCShellSetApply(preconditioner, apply));
+    check(PCShellSetContext(preconditioner, this));
+    check(PCShellSetApply(preconditioner, solve));
   }
 
  private:
-  explicit LevelSmoother(const SparseRows& A) : groups_(A), matrix_(groups_), factors_(groups_) {}
-
-  static std::unique_ptr<LevelSmoother>& of(PC preconditioner) {
-    void* context = nullptr;
-    check(PCShellGetContext(preconditioner, &context));
-    return *static_cast<std::unique_ptr<LevelSmoother>*>(context);
-  }
-
-  static PetscErrorCode setUp(PC preconditioner) {
-    auto& self = of(preconditioner);
-    Mat A = nullptr;
-    check(PCGetOperators(preconditioner, nullptr, &A));
-    SparseRows rows{};
-    PetscBool isDone = PETSC_FALSE;
-    check(MatGetRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &rows.size, &rows.begins, &rows.columns, &isDone));
-    check(MatSeqAIJGetArrayRead(A, &rows.values));
-    if (self == nullptr) self.reset(new LevelSmoother(rows));
-    self->matrix_.assign(rows);
-    const bool hasFactors = self->factors_.factorise(rows);
-    check(MatSeqAIJRestoreArrayRead(A, &rows.values));
-    check(MatRestoreRowIJ(A, 0, PETSC_FALSE, PETSC_FALSE, &rows.size, &rows.begins, &rows.columns, &isDone));
-    check(PCSetFailedReason(preconditioner, hasFactors ? PC_NOERROR : PC_FACTOR_NUMERIC_ZEROPIVOT));
-    petsc::Container container;
-    check(PetscContainerCreate(PETSC_COMM_SELF, container.place()));
-    check(PetscContainerSetPointer(container, self.get()));
-    check(PetscObjectCompose(reinterpret_cast<PetscObject>(A), kName,
-                             reinterpret_cast<PetscObject>(static_cast<PetscContainer>(container))));
-    check(MatSetOperation(A, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-    return 0;
-  }
-
-  static PetscErrorCode multiply(Mat A, Vec x, Vec y) {
-    PetscObject container = nullptr;
+  static PetscErrorCode multiply(Mat product, Vec x, Vec y) {
     void* self = nullptr;
-    check(PetscObjectQuery(reinterpret_cast<PetscObject>(A), kName, &container));
-    check(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &self));
-    read(x, [&](auto from) {
-      write(y, [&](auto to) { static_cast<LevelSmoother*>(self)->matrix_.multiply(from.data(), to.data()); });
+    check(MatShellGetContext(product, &self));
+    read(x, [&](auto in) {
+      write(y, [&](auto out) { static_cast<LevelSmoother*>(self)->matrix_.multiply(in.data(), out.data()); });
     });
     return 0;
   }
 
-  static PetscErrorCode apply(PC preconditioner, Vec b, Vec x) {
-    read(b, [&](auto from) {
-      write(x, [&](auto to) { of(preconditioner)->factors_.solve(from.data(), to.data()); });
+  static PetscErrorCode solve(PC preconditioner, Vec b, Vec x) {
+    void* self = nullptr;
+    check(PCShellGetContext(preconditioner, &self));
+    read(b, [&](auto in) {
+      write(x, [&](auto out) { static_cast<LevelSmoother*>(self)->factors_.solve(in.data(), out.data()); });
     });
     return 0;
   }
 
-  static constexpr const char* kName = "burnish_smoother";
-
-  RowGroups groups_;
   CompactMatrix matrix_;
   IncompleteFactors factors_;
+  petsc::Matrix product_;
 };
 
 bool isFinite(const SystemBorder& border) {
@@ -170,12 +152,13 @@ bool isFinite(const SystemBorder& border) {
 
 class MultigridSolver::Implementation {
  public:
-  explicit Implementation(const LinearProblem& problem) : kind_(problem.kind), team_(*problem.team) {
-    const auto& prolongations = problem.hierarchy->prolongations;
+  explicit Implementation(const LinearProblem& problem)
+      : kind_(problem.kind), team_(*problem.team), hierarchy_(*problem.hierarchy) {
+    const auto& prolongations = hierarchy_.prolongations;
     N_ = prolongations.empty() ? problem.leading : prolongations.front().rows();
     begins_ = team_.isAlone() ? std::vector<int>{0, static_cast<int>(N_)} : problem.rows.begins;
     if (team_.isAlone()) {
-      for (const auto& P : prolongations) prolongations_.push_back(view(P));
+      for (const auto& P : prolongations) prolongations_.push_back(view(rowsOf(P), P.cols()));
     } else {
       Division rows = problem.rows;
       for (const auto& P : prolongations) {
@@ -241,10 +224,8 @@ class MultigridSolver::Implementation {
     if (!isSetUp_) return 0;
     Eigen::Index sum = 0;
     for (PetscInt level = 0; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
-      KSP smoother = nullptr;
       MatInfo info;
-      check(PCMGGetSmoother(cycle_, level, &smoother));
-      check(MatGetInfo(matrixOf(smoother), MAT_GLOBAL_SUM, &info));
+      check(MatGetInfo(matrixOf(smootherOf(level)), MAT_GLOBAL_SUM, &info));
       sum += static_cast<Eigen::Index>(info.nz_used);
     }
     return sum;
@@ -266,15 +247,15 @@ class MultigridSolver::Implementation {
   /// Of the present matrix.
   bool setUpCycle() {
     if (cycle_ == nullptr) makeCycle();
-    noteChangedValues();
-    check(PCSetOperators(cycle_, exact_, K_));
+    noteChangedValues(K_);
+    check(PCSetOperators(cycle_, exact_, team_.isAlone() ? exact_ : K_));
     if (!knowsSpectra_)
       forSmoothers([](KSP smoother) {
         check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
       });
     ++counts_.setUps;
     isNear_ = false;
-    isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
+    isSetUp_ = team_.all((!team_.isAlone() || setUpLevels()) && PCSetUp(cycle_) == 0);
     if (isSetUp_ && !knowsSpectra_)
       forSmoothers([](KSP smoother) {
         goRowByRow(matrixOf(smoother));
@@ -284,18 +265,44 @@ class MultigridSolver::Implementation {
     return isSetUp_;
   }
 
-  template <class F>
-  void forSmoothers(const F& f) {
-    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
-      KSP smoother = nullptr;
-      check(PCMGGetSmoother(cycle_, level, &smoother));
-      f(smoother);
+  /// The matrices of all levels and their incomplete factors; false if one has none.
+  bool setUpLevels() {
+    SparseRows rows = rowsOf(A_->leading());
+    bool hasFactors = true;
+    for (std::size_t k = 0; k <= products_.size(); ++k) {  // from the finest on
+      const Mat entries = k == 0 ? K_ : coarse_[k - 1];
+      Mat product = entries;
+      if (k < smoothers_.size()) {
+        hasFactors = hasFactors && smoothers_[k]->assign(rows);
+        product = smoothers_[k]->product();
+      }
+      check(KSPSetOperators(smootherOf(static_cast<PetscInt>(products_.size() - k)), product, entries));
+      if (k == products_.size()) break;
+      products_[k].assign(rows);
+      noteChangedValues(coarse_[k]);
+      rows = products_[k].rows();
     }
+    // The library looks here for whether there is anything new.
+    check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(static_cast<Mat>(exact_))));
+    return hasFactors;
   }
 
+  KSP smootherOf(PetscInt level) const {
+    KSP smoother = nullptr;
+    check(PCMGGetSmoother(cycle_, level, &smoother));
+    return smoother;
+  }
+
+  template <class F>
+  void forSmoothers(const F& f) {
+    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level)
+      f(smootherOf(level));
+  }
+
+  /// The entries.
   static Mat matrixOf(KSP smoother) {
     Mat matrix = nullptr;
-    check(KSPGetOperators(smoother, &matrix, nullptr));
+    check(KSPGetOperators(smoother, nullptr, &matrix));
     return matrix;
   }
 
@@ -313,19 +320,18 @@ class MultigridSolver::Implementation {
     if (largest > 0.0) check(KSPChebyshevSetEigenvalues(smoother, kLargest * largest, kSmallest * largest));
   }
 
-  /// The library does not know that the values of K have changed; as long as it does not, smoothers keep what they
+  /// The library does not know that the values of a matrix have changed; as long as it does not, smoothers keep what they
   /// have made of others.
-  void noteChangedValues() {
-    Mat here = K_, elsewhere = nullptr;
-    if (!team_.isAlone()) check(MatMPIAIJGetSeqAIJ(K_, &here, &elsewhere, nullptr));
+  void noteChangedValues(Mat matrix) const {
+    Mat here = matrix, elsewhere = nullptr;
+    if (!team_.isAlone()) check(MatMPIAIJGetSeqAIJ(matrix, &here, &elsewhere, nullptr));
     for (Mat part : {here, elsewhere}) {
       if (part == nullptr) continue;
       double* values = nullptr;
       check(MatSeqAIJGetArrayWrite(part, &values));
       check(MatSeqAIJRestoreArrayWrite(part, &values));
     }
-    if (!team_.isAlone())
-      check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(static_cast<Mat>(K_))));
+    if (!team_.isAlone()) check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(matrix)));
   }
 
   void useFactors(bool factorises) {
@@ -337,7 +343,6 @@ class MultigridSolver::Implementation {
   void forgetCycle() {
     cycle_.reset();
     smoothers_.clear();
-    if (K_ != nullptr) check(MatSetOperation(K_, MATOP_MULT, multiplyK_));
     isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
 
@@ -471,10 +476,11 @@ class MultigridSolver::Implementation {
 
   /// The library sees the transpose of K, which need not be symmetric.
   void makeMatrix(const SystemMatrix& A) {
-    K_ = team_.isAlone() ? view(A.leading()) : viewParts(A);
-    if (team_.isAlone()) groups_.emplace(rowsOf(A.leading()));
+    if (team_.isAlone())
+      makeLevels(rowsOf(A.leading()));
+    else
+      K_ = viewParts(A);
     goRowByRow(K_);
-    check(MatGetOperation(K_, MATOP_MULT, &multiplyK_));
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
                          static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, exact_.place()));
@@ -484,26 +490,43 @@ class MultigridSolver::Implementation {
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
   }
 
+  /// Of a process that is alone.
+  void makeLevels(const SparseRows& rows) {
+    K_ = view(rows, rows.size);
+    groups_.emplace(rows);
+    products_.reserve(hierarchy_.prolongations.size());  // each looks at the one before
+    for (const auto& P : hierarchy_.prolongations) {
+      const auto& product = products_.emplace_back(groupsOf(products_.size()), P);
+      coarse_.push_back(view(product.rows(), P.cols()));
+    }
+  }
+
+  /// From the finest level on.
+  const RowGroups& groupsOf(std::size_t level) const {
+    return level == 0 ? *groups_ : products_[level - 1].groups();
+  }
+
   /// One V-cycle over all levels.
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
-    smoothers_.resize(prolongations_.size());
+    if (factorises_)
+      for (std::size_t k = 0; k < products_.size(); ++k)
+        smoothers_.push_back(std::make_unique<LevelSmoother>(groupsOf(k)));
     check(PCCreate(communicator(), cycle_.place()));
     check(PCSetType(cycle_, PCMG));
     check(PCSetUseAmat(cycle_, PETSC_FALSE));  // levels are those of the entries
     check(PCMGSetLevels(cycle_, levels, nullptr));
-    check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_BOTH));
+    check(PCMGSetGalerkin(cycle_, team_.isAlone() ? PC_MG_GALERKIN_NONE : PC_MG_GALERKIN_BOTH));
     for (PetscInt level = 1; level < levels; ++level) {
-      check(
-          PCMGSetInterpolation(cycle_, level, prolongations_[static_cast<std::size_t>(levels - 1 - level)]));
-      KSP smoother = nullptr;
+      const auto fromFinest = static_cast<std::size_t>(levels - 1 - level);
+      check(PCMGSetInterpolation(cycle_, level, prolongations_[fromFinest]));
+      KSP smoother = smootherOf(level);
       PC sweep = nullptr;
-      check(PCMGGetSmoother(cycle_, level, &smoother));
       check(KSPSetType(smoother, KSPCHEBYSHEV));
       check(
           KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? steps_ : 2));
       check(KSPGetPC(smoother, &sweep));
-      makeSweep(sweep, smoothers_[static_cast<std::size_t>(level - 1)]);
+      makeSweep(sweep, fromFinest);
     }
     KSP coarse = nullptr;
     PC factors = nullptr;
@@ -522,9 +545,9 @@ class MultigridSolver::Implementation {
 
   /// Several ranks have factors of their own rows and columns each, of those next to them as well where they overlap,
   /// and sweep over their own rows.
-  void makeSweep(PC sweep, std::unique_ptr<LevelSmoother>& smoother) const {
+  void makeSweep(PC sweep, std::size_t fromFinest) const {
     if (!factorises_) return check(PCSetType(sweep, PCSOR));
-    if (team_.isAlone()) return LevelSmoother::attach(sweep, smoother);
+    if (team_.isAlone()) return smoothers_[fromFinest]->attachTo(sweep);
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_type", PCICC));
     check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_factor_shift_type", "positive_definite"));
     check(PCSetType(sweep, overlaps_ ? PCASM : PCBJACOBI));
@@ -698,14 +721,19 @@ class MultigridSolver::Implementation {
   Eigen::SparseMatrix<double, Eigen::RowMajor> ownG_;  ///< and columns of G
   std::vector<PetscInt> elsewhere_;                    ///< columns of K that other ranks have
   BorderZone zone_;
+  const Hierarchy& hierarchy_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
   const SystemMatrix* A_ = nullptr;
-  petsc::Matrix K_;  ///< transposed; without products; multiplied by as its smoother does while it has one
-  std::optional<RowGroups> groups_;  ///< of K in a process that is alone
-  petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
-  void (*multiplyK_)() = nullptr;    ///< the library's own
+  petsc::Matrix K_;      ///< transposed; without products
+  petsc::Matrix exact_;  ///< K as it is, with products, to multiply by
+
+  // Of a process that is alone, from the finest level on:
+  std::optional<RowGroups> groups_;        ///< of K
+  std::vector<GalerkinProduct> products_;  ///< matrices of the levels below the finest one
+  std::vector<petsc::Matrix> coarse_;      ///< the same for the library
   std::vector<std::unique_ptr<LevelSmoother>>
-      smoothers_;  ///< from the second coarsest level on; in use by the cycle
+      smoothers_;  ///< of all levels but the coarsest, if the cycle has factors
+
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
   petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`
