@@ -1,5 +1,10 @@
 #pragma once
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
 #include <cstddef>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -14,6 +19,31 @@ inline constexpr int kLanes = 4;
 inline constexpr int kLanes = 2;
 #endif
 using Lanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
+
+[[gnu::always_inline]] inline void load(const double* from, Lanes& to) {
+  std::memcpy(&to, from, sizeof to);
+}
+
+[[gnu::always_inline]] inline void load(const float* from, Lanes& to) {
+#ifdef __AVX__
+  to = _mm256_cvtps_pd(_mm_loadu_ps(from));  // GCC 12 makes two conversions and more of the other branch
+#else
+  using SingleLanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+  SingleLanes values;
+  std::memcpy(&values, from, sizeof values);
+  to = __builtin_convertvector(values, Lanes);
+#endif
+}
+
+[[gnu::always_inline]] inline void store(const Lanes& from, double* to) {
+  std::memcpy(to, &from, sizeof from);
+}
+
+[[gnu::always_inline]] inline double sumOf(const Lanes& lanes) {
+  double sum = 0.0;
+  for (int lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
+  return sum;
+}
 
 /// The next multiple of the number of lanes.
 constexpr std::ptrdiff_t roundedToLanes(std::ptrdiff_t n) {

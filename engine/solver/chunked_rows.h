@@ -1,57 +1,11 @@
 #pragma once
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
-
 #include <cstddef>
-#include <cstring>
-#include <type_traits>
 #include <vector>
 
 #include "engine/core/lanes.h"
 #include "engine/solver/row_groups.h"
 
 namespace burnish {
-
-#ifndef __AVX__
-/// Half as wide as `Lanes`.
-using SingleLanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
-#endif
-
-[[gnu::always_inline]] inline void load(const double* from, Lanes& to) {
-  std::memcpy(&to, from, sizeof to);
-}
-
-[[gnu::always_inline]] inline void load(const float* from, Lanes& to) {
-#ifdef __AVX__
-  to = _mm256_cvtps_pd(_mm_loadu_ps(from));  // GCC 12 makes two conversions and more of the other branch
-#else
-  SingleLanes values;
-  std::memcpy(&values, from, sizeof values);
-  to = __builtin_convertvector(values, Lanes);
-#endif
-}
-
-[[gnu::always_inline]] inline void store(const Lanes& from, double* to) {
-  std::memcpy(to, &from, sizeof from);
-}
-
-[[gnu::always_inline]] inline double sumOf(const Lanes& lanes) {
-  double sum = 0.0;
-  for (int lane = 0; lane < kLanes; ++lane) sum += lanes[lane];
-  return sum;
-}
-
-/// Calls f with the number of a group's rows as a compile-time constant.
-template <class F>
-[[gnu::always_inline]] inline void withRows(int count, const F& f) {
-  if (count == 3)
-    f(std::integral_constant<int, 3>{});
-  else if (count == 2)
-    f(std::integral_constant<int, 2>{});
-  else
-    f(std::integral_constant<int, 1>{});
-}
 
 /// Rows of groups in single precision, which are computed with in double precision. Columns are taken by chunks of as many as
 /// there are lanes; those of a chunk beyond the end of its run have zeros, and are read, and written back as they were, in
@@ -62,8 +16,6 @@ struct ChunkedRows {
   struct Chunk {
     int first, length;  ///< columns
   };
-
-  ChunkedRows() = default;
 
   /// All columns of each group, or those behind its last row alone.
   ChunkedRows(const RowGroups& groups, bool onlyBehind);

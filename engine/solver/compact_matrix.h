@@ -14,7 +14,7 @@ class CompactMatrix {
   /// On the groups' pattern.
   void assign(const SparseRows& A);
 
-  /// y = A x. Not at the same time.
+  /// y = A x. Not thread-safe.
   void multiply(const double* x, double* y) const;
 
  private:

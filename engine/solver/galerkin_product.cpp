@@ -61,11 +61,7 @@ void GalerkinProduct::findRuns() {
           noted.note(static_cast<int>(entry.col()));
     runBegins_.push_back(runs_.size());
     const std::vector<int> columns = noted.take();
-    for (const int column : columns) {
-      if (runs_.size() == runBegins_.back() || column != runs_.back().first + runs_.back().length)
-        runs_.push_back({column, 0});
-      ++runs_.back().length;
-    }
+    for (const int column : columns) RowGroups::append(column, runs_, runBegins_.back());
     longest = std::max(longest, columns.size());
   }
   runBegins_.push_back(runs_.size());

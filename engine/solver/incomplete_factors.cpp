@@ -8,15 +8,17 @@ namespace {
 
 constexpr double kFirstShift = 0.001, kNextShift = 4.0, kMostShift = 5.0;
 
+/// Of what a pivot was before rows above were taken away from it: what is left below this is their rounding in single precision.
+constexpr double kSmallestPivot = 1e-6;
+
 /// Inverts a symmetric block, row after row; false if it is not positive definite.
 template <int Rows>
-bool invert(double* D) {
+bool invert(double* D, const double* diagonal) {
   const auto at = [&](int i, int j) -> double& { return D[i * Rows + j]; };
   // L of L Lᵀ below the diagonal, then its inverse, then the inverse's products.
   for (int j = 0; j < Rows; ++j) {
-    const double diagonal = at(j, j);
     for (int k = 0; k < j; ++k) at(j, j) -= at(j, k) * at(j, k);
-    if (!(at(j, j) > 1e-12 * std::abs(diagonal)) || !std::isfinite(at(j, j))) return false;
+    if (!(at(j, j) > kSmallestPivot * std::abs(diagonal[j])) || !std::isfinite(at(j, j))) return false;
     at(j, j) = std::sqrt(at(j, j));
     for (int i = j + 1; i < Rows; ++i) {
       for (int k = 0; k < j; ++k) at(i, j) -= at(i, k) * at(j, k);
@@ -58,11 +60,23 @@ bool IncompleteFactors::factorise(const SparseRows& A) {
   for (auto& row : row_) row.assign(static_cast<std::size_t>(groups_->numRows() + ChunkedRows::kBehind), 0.0);
   shift_ = 0.0;
   bool isDone = factoriseShifted(A);
+  if (!isDone) sumMagnitudes(A);
   for (double shift = kFirstShift; !isDone && shift < kMostShift; shift *= kNextShift) {
     shift_ = shift;
     isDone = factoriseShifted(A);
   }
   return isDone;
+}
+
+/// As of a symmetric matrix, of what is on the diagonal and above it.
+void IncompleteFactors::sumMagnitudes(const SparseRows& A) {
+  magnitudes_.assign(static_cast<std::size_t>(A.size), 0.0);
+  for (int row = 0; row < A.size; ++row)
+    for (int k = A.begins[row]; k < A.begins[row + 1]; ++k) {
+      if (A.columns[k] < row) continue;
+      magnitudes_[static_cast<std::size_t>(row)] += std::abs(A.values[k]);
+      if (A.columns[k] > row) magnitudes_[static_cast<std::size_t>(A.columns[k])] += std::abs(A.values[k]);
+    }
 }
 
 bool IncompleteFactors::factoriseShifted(const SparseRows& A) {
@@ -76,14 +90,13 @@ bool IncompleteFactors::factoriseShifted(const SparseRows& A) {
 template <int Rows>
 bool IncompleteFactors::factoriseGroup(const SparseRows& A, int group) {
   const int begin = groups_->begin(group);
+  double diagonal[Rows];
   for (int r = 0; r < Rows; ++r) {
     double* row = row_[static_cast<std::size_t>(r)].data();
-    double sum = 0.0;
-    for (int k = A.begins[begin + r]; k < A.begins[begin + r + 1]; ++k) {
+    for (int k = A.begins[begin + r]; k < A.begins[begin + r + 1]; ++k)
       if (A.columns[k] >= begin) row[A.columns[k]] = A.values[k];
-      sum += std::abs(A.values[k]);
-    }
-    row[begin + r] += shift_ * sum;
+    if (shift_ > 0.0) row[begin + r] += shift_ * magnitudes_[static_cast<std::size_t>(begin + r)];
+    diagonal[r] = row[begin + r];
   }
   for (const auto [first, length] : groups_->runs(group))
     for (int column = first, end = std::min(first + length, begin); column < end;) {
@@ -97,7 +110,7 @@ bool IncompleteFactors::factoriseGroup(const SparseRows& A, int group) {
       const int row = std::min(i, j), column = std::max(i, j);
       D[i * Rows + j] = row_[static_cast<std::size_t>(row)][static_cast<std::size_t>(begin + column)];
     }
-  if (!invert<Rows>(D)) return false;
+  if (!invert<Rows>(D, diagonal)) return false;
   float* to = upper_.valuesOf(group);
   for (const auto *chunk = upper_.chunksOf(group), *end = upper_.endOf(group); chunk < end; ++chunk)
     for (int r = 0; r < Rows; ++r, to += kLanes)
@@ -129,7 +142,7 @@ void IncompleteFactors::subtractAbove(int group, int above) {
       for (int k = 0; k < Above; ++k) column[k] = values[((chunk - first) * Above + k) * kLanes + lane];
     multiplyBlock<Above>(inverses_[a].data(), column, factors[i]);
   }
-  double* rows[Rows];
+  double* rows[Rows] = {};
   Lanes lanes[Rows][Above];
   unrolled<Rows>([&](auto i) {
     rows[i] = row_[i].data();
@@ -149,7 +162,7 @@ void IncompleteFactors::subtractAbove(int group, int above) {
 }
 
 void IncompleteFactors::solve(const double* b, double* x) const {
-  x_.resize(static_cast<std::size_t>(groups_->numRows() + ChunkedRows::kBehind));
+  x_.assign(static_cast<std::size_t>(groups_->numRows() + ChunkedRows::kBehind), 0.0);
   std::copy_n(b, groups_->numRows(), x_.begin());
   for (int group = 0; group < groups_->size(); ++group)
     withRows(groups_->count(group), [&](auto rows) {

@@ -14,13 +14,13 @@ class IncompleteFactors {
   explicit IncompleteFactors(const RowGroups& groups) : groups_(&groups), upper_(groups, true) {}
 
   /// Where a block is not positive definite, those of A + α S, S(i, i) the sum of magnitudes in row i: with the first α of
-  /// 0.001, 0.004, ... that has factors, as that beyond 1 has (Manteuffel 1980). False if numbers are not finite.
+  /// 0.001, 0.004, ... that has factors, as that beyond 1 has where rows are not zero (Manteuffel 1980). False if there are none.
   bool factorise(const SparseRows& A);
 
   /// α of the present factors.
   double shift() const { return shift_; }
 
-  /// x = (D + U)⁻¹ D (D + U)⁻ᵀ b. Not at the same time.
+  /// x = (D + U)⁻¹ D (D + U)⁻ᵀ b. Not thread-safe.
   void solve(const double* b, double* x) const;
 
  private:
@@ -32,12 +32,15 @@ class IncompleteFactors {
   template <int Rows, int Above>
   void subtractAbove(int group, int above);
 
+  void sumMagnitudes(const SparseRows& A);
+
   const RowGroups* groups_;
   ChunkedRows upper_;
   std::vector<Block> inverses_;  ///< of blocks of D, row after row
   double shift_ = 0.0;
 
   // While factors are made:
+  std::vector<double> magnitudes_;  ///< S
   std::array<std::vector<double>, RowGroups::kMostRows>
       row_;  ///< the group's, over columns; those outside of the pattern hold anything
   std::vector<std::size_t> reached_;  ///< chunk of each group of `upper_` to go on from

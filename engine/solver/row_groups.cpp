@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/solver/chunked_rows.h"
+#include "engine/core/lanes.h"
 
 namespace burnish {
 namespace {
@@ -34,7 +34,7 @@ void multiplyGroup(const SparseRows& A, int first, std::span<const RowGroups::Ru
       });
     }
     for (; k < length; ++k) unrolled<Rows>([&](auto r) { rest[r] += rows[r][k] * x[column + k]; });
-    unrolled<Rows>([&](auto r) { rows[r] += length; });
+    for (const double*& row : rows) row += length;
   }
   unrolled<Rows>([&](auto r) { y[first + r] = sumOf(sums[r]) + rest[r]; });
 }
@@ -44,7 +44,7 @@ void multiplyTransposedGroup(const SparseRows& A, int first, std::span<const Row
                              const double* x, double* y) {
   auto rows = rowsOf<Rows>(A, first);
   std::array<Lanes, Rows> factors;
-  unrolled<Rows>([&](auto r) { factors[r] = Lanes{} + x[first + r]; });
+  for (int r = 0; r < Rows; ++r) factors[static_cast<std::size_t>(r)] = Lanes{} + x[first + r];
   for (const auto [column, length] : runs) {
     int k = 0;
     for (; k + kLanes <= length; k += kLanes) {
@@ -57,7 +57,7 @@ void multiplyTransposedGroup(const SparseRows& A, int first, std::span<const Row
       store(sum, y + column + k);
     }
     for (; k < length; ++k) unrolled<Rows>([&](auto r) { y[column + k] += rows[r][k] * x[first + r]; });
-    unrolled<Rows>([&](auto r) { rows[r] += length; });
+    for (const double*& row : rows) row += length;
   }
 }
 
@@ -75,14 +75,15 @@ RowGroups::RowGroups(const SparseRows& A) {
       ++row;
     } while (row < A.size && row < begin + kMostRows && std::ranges::equal(columns, columnsOf(row)));
     runBegins_.push_back(static_cast<int>(runs_.size()));
-    for (const int column : columns) {
-      if (std::ssize(runs_) == runBegins_.back() || column != runs_.back().first + runs_.back().length)
-        runs_.push_back({column, 0});
-      ++runs_.back().length;
-    }
+    for (const int column : columns) append(column, runs_, static_cast<std::size_t>(runBegins_.back()));
     begins_.push_back(row);
   }
   runBegins_.push_back(static_cast<int>(runs_.size()));
+}
+
+void RowGroups::append(int column, std::vector<Run>& runs, std::size_t begin) {
+  if (runs.size() == begin || column != runs.back().first + runs.back().length) runs.push_back({column, 0});
+  ++runs.back().length;
 }
 
 void RowGroups::multiply(const SparseRows& A, const double* x, double* y) const {

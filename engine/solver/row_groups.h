@@ -1,19 +1,20 @@
 #pragma once
+#include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace burnish {
 
-/// A square sparse matrix row by row, or the transpose of one column by column, in arrays of somebody else. Columns ascend
-/// in each row; the pattern is symmetric.
+/// A sparse matrix row by row, or the transpose of one column by column, in arrays of somebody else. Columns ascend in each row.
 struct SparseRows {
-  int size;
+  int size;           ///< rows
   const int* begins;  ///< of rows among entries, and their end
   const int* columns;
   const double* values;
 };
 
-/// Neighbouring rows that have the same columns, as those of a node's displacements, and runs of neighbouring columns in
+/// Neighbouring rows of a matrix of symmetric pattern that have the same columns, as those of a node's displacements, and runs of neighbouring columns in
 /// them: indices are read once for many entries, which stream through the lanes of the processor.
 class RowGroups {
  public:
@@ -23,6 +24,9 @@ class RowGroups {
   };
 
   explicit RowGroups(const SparseRows& A);
+
+  /// Makes the last one of the runs from `begin` on longer by a column, or begins another one.
+  static void append(int column, std::vector<Run>& runs, std::size_t begin);
 
   int size() const { return static_cast<int>(begins_.size()) - 1; }
   int numRows() const { return begins_.back(); }
@@ -46,5 +50,16 @@ class RowGroups {
   std::vector<Run> runs_;       ///< of all groups
   std::vector<int> runBegins_;
 };
+
+/// Calls f with the number of a group's rows as a compile-time constant.
+template <class F>
+[[gnu::always_inline]] inline void withRows(int count, const F& f) {
+  if (count == 3)
+    f(std::integral_constant<int, 3>{});
+  else if (count == 2)
+    f(std::integral_constant<int, 2>{});
+  else
+    f(std::integral_constant<int, 1>{});
+}
 
 }  // namespace burnish

@@ -48,6 +48,5 @@ using Indices = Owned<IS, ISDestroy>;
 using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using Solver = Owned<KSP, KSPDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
-using Container = Owned<PetscContainer, PetscContainerDestroy>;
 
 }  // namespace burnish::petsc

@@ -110,6 +110,9 @@ class LevelSmoother {
     return factors_.factorise(A);
   }
 
+  /// Of the factors. The eigenvalues that they leave depend on it.
+  double shift() const { return factors_.shift(); }
+
   /// To multiply by.
   Mat product() const { return product_; }
 
@@ -210,9 +213,7 @@ class MultigridSolver::Implementation {
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
     if (!x.allFinite() && factorises_) {
-      // Incomplete factors are of no use where shear is soft beside compression.
-      searchesWithout_ = pause_ = std::clamp(2 * pause_, 1, kMostWithout);
-      useFactors(false);
+      goOnWithoutFactors();  // they are of no use where shear is soft beside compression
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
     hasSolved_ = hasSolved_ || x.allFinite();
@@ -249,23 +250,27 @@ class MultigridSolver::Implementation {
     if (cycle_ == nullptr) makeCycle();
     noteChangedValues(K_);
     check(PCSetOperators(cycle_, exact_, team_.isAlone() ? exact_ : K_));
+    if (team_.isAlone() && !setUpLevels()) {
+      goOnWithoutFactors();
+      return setUpCycle();
+    }
     if (!knowsSpectra_)
       forSmoothers([](KSP smoother) {
         check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
       });
     ++counts_.setUps;
     isNear_ = false;
-    isSetUp_ = team_.all((!team_.isAlone() || setUpLevels()) && PCSetUp(cycle_) == 0);
+    isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
     if (isSetUp_ && !knowsSpectra_)
-      forSmoothers([](KSP smoother) {
-        goRowByRow(matrixOf(smoother));
+      forSmoothers([&](KSP smoother) {
+        if (!team_.isAlone()) goRowByRow(matrixOf(smoother));
         keepSpectrum(smoother);
       });
     knowsSpectra_ = isSetUp_;
     return isSetUp_;
   }
 
-  /// The matrices of all levels and their incomplete factors; false if one has none.
+  /// The matrices of all levels and their incomplete factors; false if one should have and has none.
   bool setUpLevels() {
     SparseRows rows = rowsOf(A_->leading());
     bool hasFactors = true;
@@ -273,7 +278,9 @@ class MultigridSolver::Implementation {
       const Mat entries = k == 0 ? K_ : coarse_[k - 1];
       Mat product = entries;
       if (k < smoothers_.size()) {
+        const double shift = smoothers_[k]->shift();
         hasFactors = hasFactors && smoothers_[k]->assign(rows);
+        knowsSpectra_ = knowsSpectra_ && smoothers_[k]->shift() == shift;
         product = smoothers_[k]->product();
       }
       check(KSPSetOperators(smootherOf(static_cast<PetscInt>(products_.size() - k)), product, entries));
@@ -334,6 +341,12 @@ class MultigridSolver::Implementation {
     if (!team_.isAlone()) check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(matrix)));
   }
 
+  /// For some searches.
+  void goOnWithoutFactors() {
+    searchesWithout_ = pause_ = std::clamp(2 * pause_, 1, kMostWithout);
+    useFactors(false);
+  }
+
   void useFactors(bool factorises) {
     if (factorises == factorises_) return;
     factorises_ = factorises;
@@ -342,7 +355,6 @@ class MultigridSolver::Implementation {
 
   void forgetCycle() {
     cycle_.reset();
-    smoothers_.clear();
     isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
 
@@ -485,7 +497,7 @@ class MultigridSolver::Implementation {
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
                          static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, exact_.place()));
     check(MatShellSetOperation(exact_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
-    if (kind_ != TangentKind::Symmetric) return;
+    if (team_.isAlone() || kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
   }
@@ -498,6 +510,7 @@ class MultigridSolver::Implementation {
     for (const auto& P : hierarchy_.prolongations) {
       const auto& product = products_.emplace_back(groupsOf(products_.size()), P);
       coarse_.push_back(view(product.rows(), P.cols()));
+      goRowByRow(coarse_.back());
     }
   }
 
@@ -509,6 +522,7 @@ class MultigridSolver::Implementation {
   /// One V-cycle over all levels.
   void makeCycle() {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
+    smoothers_.clear();
     if (factorises_)
       for (std::size_t k = 0; k < products_.size(); ++k)
         smoothers_.push_back(std::make_unique<LevelSmoother>(groupsOf(k)));

@@ -68,6 +68,16 @@ TEST(IncompleteFactors, DoNotLookBelowTheDiagonal) {
   EXPECT_EQ(solve(factors, b), solve(ofChanged, b));
 }
 
+TEST(IncompleteFactors, ShiftAMatrixWhoseRowsSayNothingOfItsColumns) {
+  grid::Matrix A = grid::matrix(7, 6, 1.0);
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+    for (grid::Matrix::InnerIterator entry(A, row); entry && entry.col() < row; ++entry)
+      entry.valueRef() = 0.0;
+  const RowGroups groups(grid::rowsOf(A));
+  IncompleteFactors factors(groups);
+  EXPECT_TRUE(factors.factorise(grid::rowsOf(A)));
+}
+
 TEST(IncompleteFactors, OfAnIndefiniteMatrixArePositiveDefinite) {
   const grid::Matrix A = grid::matrix(7, 6, 1.0);
   ASSERT_LT(A.toDense().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1.0);
@@ -86,8 +96,33 @@ TEST(IncompleteFactors, OfNumbersThatAreNotFiniteThereAreNone) {
   grid::Matrix A = grid::matrix(7, 6, 12.0);
   const RowGroups groups(grid::rowsOf(A));
   IncompleteFactors factors(groups);
-  A.coeffs()(A.nonZeros() / 2) = std::numeric_limits<double>::quiet_NaN();
+  A.coeffRef(20, 21) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(factors.factorise(grid::rowsOf(A)));
+}
+
+TEST(IncompleteFactors, TakeWhatRoundingLeavesOfASingularMatrixForNothing) {
+  grid::Matrix A = Eigen::MatrixXd::Ones(6, 6).sparseView();  // two groups
+  A.coeffRef(0, 0) = A.coeffRef(1, 1) = A.coeffRef(2, 2) = 1.0 + 1.0 / 3.0;
+  const Eigen::MatrixXd behind = A.toDense().bottomLeftCorner(3, 3), above = A.toDense().topLeftCorner(3, 3);
+  const Eigen::MatrixXd schur = behind * above.inverse() * behind.transpose();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) A.coeffRef(3 + i, 3 + j) = schur(i, j) + (i == j && i > 0 ? 1.0 : 0.0);
+  const RowGroups groups(grid::rowsOf(A));
+  IncompleteFactors factors(groups);
+  ASSERT_TRUE(factors.factorise(grid::rowsOf(A)));
+  EXPECT_GT(factors.shift(), 0.0);
+}
+
+TEST(IncompleteFactors, SolveAgainAfterARightHandSideThatIsNotFinite) {
+  const grid::Matrix A = grid::matrix(7, 6, 12.0);
+  const RowGroups groups(grid::rowsOf(A));
+  IncompleteFactors factors(groups);
+  ASSERT_TRUE(factors.factorise(grid::rowsOf(A)));
+  const Eigen::VectorXd b = grid::someVector(A.rows()), before = solve(factors, b);
+  Eigen::VectorXd infinite = b;
+  infinite(b.size() - 4) = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(solve(factors, infinite).allFinite());
+  EXPECT_EQ(solve(factors, b), before);
 }
 
 }  // namespace
