@@ -113,7 +113,7 @@ class Estimator {
       if (rows > 0.0) rows /= static_cast<double>(hierarchy_->prolongations.front().rows());
       const double iterations = linearIterations(scene_.allBodies().front().degree);
       cost_.linearSystems = kNanosecond * nonZeros_ *
-                            (155.0 * kSetUps + (withProducts > 0.0 ? 16.0 : 8.5) * rows * iterations) *
+                            (50.0 * kSetUps + (withProducts > 0.0 ? 10.0 : 2.7) * rows * iterations) *
                             (hasContact() ? 1.0 : 1.0 / 3.0);
       return;
     }
