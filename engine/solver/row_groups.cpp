@@ -43,8 +43,8 @@ template <int Rows>
 void multiplyTransposedGroup(const SparseRows& A, int first, std::span<const RowGroups::Run> runs,
                              const double* x, double* y) {
   auto rows = rowsOf<Rows>(A, first);
-  std::array<Lanes, Rows> factors;
-  for (int r = 0; r < Rows; ++r) factors[static_cast<std::size_t>(r)] = Lanes{} + x[first + r];
+  std::array<Lanes, Rows> factors{};
+  for (int r = 0; r < Rows; ++r) factors[static_cast<std::size_t>(r)] += x[first + r];
   for (const auto [column, length] : runs) {
     int k = 0;
     for (; k + kLanes <= length; k += kLanes) {
