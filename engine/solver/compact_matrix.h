@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// A matrix in single precision, products in double precision: they are linear to rounding, and what a smoother needs to
-/// know of a matrix. Of cubic spans it takes 4.3 bytes an entry instead of 12, and a product a fifth of the time.
+/// know of a matrix. At degree 2 it takes five bytes an entry instead of 12, and a product a fifth of the time.
 class CompactMatrix {
  public:
   explicit CompactMatrix(const RowGroups& groups) : groups_(&groups), rows_(groups, false) {}

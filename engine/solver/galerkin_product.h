@@ -1,9 +1,9 @@
 #pragma once
-#include <Eigen/Sparse>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "engine/solver/hierarchy.h"
 #include "engine/solver/row_groups.h"
 
 namespace burnish {
@@ -11,7 +11,7 @@ namespace burnish {
 /// PᵀAP of matrices A of one pattern, whose rows come in groups: the matrix of a coarser mesh.
 class GalerkinProduct {
  public:
-  using Prolongation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  using Prolongation = Hierarchy::Prolongation;
 
   /// Both have to stay.
   GalerkinProduct(const RowGroups& fine, const Prolongation& P);

@@ -92,6 +92,12 @@ void write(Vec vector, const F& f) {
   check(VecRestoreArray(vector, &values));
 }
 
+/// Fills a vector from another one: f(from, to), of their numbers.
+template <class F>
+void fill(Vec from, Vec to, const F& f) {
+  read(from, [&](auto in) { write(to, [&](auto out) { f(in.data(), out.data()); }); });
+}
+
 /// What smooths on a level of a process that is alone: products and incomplete factors of the level's matrix, both by rows of
 /// nodes in single precision, which the library does not have and takes a multiple of the time for.
 class LevelSmoother {
@@ -127,18 +133,14 @@ class LevelSmoother {
   static PetscErrorCode multiply(Mat product, Vec x, Vec y) {
     void* self = nullptr;
     check(MatShellGetContext(product, &self));
-    read(x, [&](auto in) {
-      write(y, [&](auto out) { static_cast<LevelSmoother*>(self)->matrix_.multiply(in.data(), out.data()); });
-    });
+    fill(x, y, [&](auto in, auto out) { static_cast<LevelSmoother*>(self)->matrix_.multiply(in, out); });
     return 0;
   }
 
   static PetscErrorCode solve(PC preconditioner, Vec b, Vec x) {
     void* self = nullptr;
     check(PCShellGetContext(preconditioner, &self));
-    read(b, [&](auto in) {
-      write(x, [&](auto out) { static_cast<LevelSmoother*>(self)->factors_.solve(in.data(), out.data()); });
-    });
+    fill(b, x, [&](auto in, auto out) { static_cast<LevelSmoother*>(self)->factors_.solve(in, out); });
     return 0;
   }
 
@@ -643,13 +645,11 @@ class MultigridSolver::Implementation {
     const bool isSymmetric = self.kind_ == TangentKind::Symmetric;
     if (self.groups_) {
       const SparseRows rows = rowsOf(self.A_->leading());
-      read(x, [&](auto in) {
-        write(y, [&](auto out) {
-          if (isSymmetric)
-            self.groups_->multiply(rows, in.data(), out.data());
-          else
-            self.groups_->multiplyTransposed(rows, in.data(), out.data());
-        });
+      fill(x, y, [&](auto in, auto out) {
+        if (isSymmetric)
+          self.groups_->multiply(rows, in, out);
+        else
+          self.groups_->multiplyTransposed(rows, in, out);
       });
     } else {
       check(isSymmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
