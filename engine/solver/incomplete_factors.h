@@ -13,7 +13,7 @@ class IncompleteFactors {
  public:
   explicit IncompleteFactors(const RowGroups& groups) : groups_(&groups), upper_(groups, true) {}
 
-  /// Where a block is not positive definite, those of A + α S, S(i, i) the sum of magnitudes in row i: with the first α of
+  /// Where a block is not positive definite or nearly so, those of A + α S, S(i, i) the sum of magnitudes in row i: with the first α of
   /// 0.001, 0.004, ... that has factors, as that beyond 1 has where rows are not zero (Manteuffel 1980). False if there are none.
   bool factorise(const SparseRows& A);
 
@@ -27,6 +27,8 @@ class IncompleteFactors {
   using Block = std::array<double, static_cast<std::size_t>(RowGroups::kMostRows* RowGroups::kMostRows)>;
 
   bool factoriseShifted(const SparseRows& A);
+  template <int Rows>
+  void copyBlock(int begin, double* D) const;
   template <int Rows>
   bool factoriseGroup(const SparseRows& A, int group);
   template <int Rows, int Above>

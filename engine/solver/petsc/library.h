@@ -17,6 +17,7 @@ template <class Object, PetscErrorCode (*destroy)(Object*)>
 class Owned {
  public:
   Owned() = default;
+  explicit Owned(Object object) : object_(object) {}
   ~Owned() { reset(); }
   Owned(const Owned&) = delete;
   Owned& operator=(const Owned&) = delete;

@@ -10,16 +10,20 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/solver/compact_matrix.h"
 #include "engine/solver/galerkin_product.h"
-#include "engine/solver/incomplete_factors.h"
 #include "engine/solver/petsc/border.h"
+#include "engine/solver/petsc/level_smoother.h"
 #include "engine/solver/petsc/library.h"
+#include "engine/solver/petsc/matrix_blocks.h"
+#include "engine/solver/petsc/vectors.h"
 
 namespace burnish {
 namespace {
 
 using petsc::check;
+using petsc::fill;
+using petsc::read;
+using petsc::write;
 
 /// Where more are needed, others do better.
 constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
@@ -48,9 +52,6 @@ constexpr double kDivergence = 1e10;
 /// Of GMRES: so many vectors are kept.
 constexpr int kRestart = 100;
 
-/// Of preconditioners whose parts are set by the library's options.
-constexpr const char* kPrefix = "burnish_";
-
 /// The rows of a matrix, or of the transpose of one that has columns.
 template <int Order>
 SparseRows rowsOf(const Eigen::SparseMatrix<double, Order>& A) {
@@ -70,84 +71,6 @@ petsc::Matrix view(const SparseRows& A, Eigen::Index numColumns) {
 void goRowByRow(Mat matrix) {
   check(MatSetOption(matrix, MAT_USE_INODES, PETSC_FALSE));
 }
-
-/// A vector of the library for reading, as one of Eigen.
-template <class F>
-void read(Vec vector, const F& f) {
-  const PetscScalar* values = nullptr;
-  PetscInt size = 0;
-  check(VecGetLocalSize(vector, &size));
-  check(VecGetArrayRead(vector, &values));
-  f(Eigen::Map<const Eigen::VectorXd>(values, size));
-  check(VecRestoreArrayRead(vector, &values));
-}
-
-template <class F>
-void write(Vec vector, const F& f) {
-  PetscScalar* values = nullptr;
-  PetscInt size = 0;
-  check(VecGetLocalSize(vector, &size));
-  check(VecGetArray(vector, &values));
-  f(Eigen::Map<Eigen::VectorXd>(values, size));
-  check(VecRestoreArray(vector, &values));
-}
-
-/// Fills a vector from another one: f(from, to), of their numbers.
-template <class F>
-void fill(Vec from, Vec to, const F& f) {
-  read(from, [&](auto in) { write(to, [&](auto out) { f(in.data(), out.data()); }); });
-}
-
-/// What smooths on a level of a process that is alone: products and incomplete factors of the level's matrix, both by rows of
-/// nodes in single precision, which the library does not have and takes a multiple of the time for.
-class LevelSmoother {
- public:
-  explicit LevelSmoother(const RowGroups& groups) : matrix_(groups), factors_(groups) {
-    const PetscInt size = groups.numRows();
-    check(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, product_.place()));
-    check(MatShellSetOperation(product_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  }
-  LevelSmoother(const LevelSmoother&) = delete;
-  LevelSmoother& operator=(const LevelSmoother&) = delete;
-
-  /// False if there are no factors.
-  bool assign(const SparseRows& A) {
-    matrix_.assign(A);
-    return factors_.factorise(A);
-  }
-
-  /// Of the factors. The eigenvalues that they leave depend on it.
-  double shift() const { return factors_.shift(); }
-
-  /// To multiply by.
-  Mat product() const { return product_; }
-
-  /// Makes a preconditioner the factors' solution.
-  void attachTo(PC preconditioner) {
-    check(PCSetType(preconditioner, PCSHELL));
-    check(PCShellSetContext(preconditioner, this));
-    check(PCShellSetApply(preconditioner, solve));
-  }
-
- private:
-  static PetscErrorCode multiply(Mat product, Vec x, Vec y) {
-    void* self = nullptr;
-    check(MatShellGetContext(product, &self));
-    fill(x, y, [&](auto in, auto out) { static_cast<LevelSmoother*>(self)->matrix_.multiply(in, out); });
-    return 0;
-  }
-
-  static PetscErrorCode solve(PC preconditioner, Vec b, Vec x) {
-    void* self = nullptr;
-    check(PCShellGetContext(preconditioner, &self));
-    fill(b, x, [&](auto in, auto out) { static_cast<LevelSmoother*>(self)->factors_.solve(in, out); });
-    return 0;
-  }
-
-  CompactMatrix matrix_;
-  IncompleteFactors factors_;
-  petsc::Matrix product_;
-};
 
 bool isFinite(const SystemBorder& border) {
   return border.B.coeffs().allFinite() && border.G.coeffs().allFinite() && border.C.coeffs().allFinite();
@@ -226,9 +149,9 @@ class MultigridSolver::Implementation {
   Eigen::Index nonZeros() {
     if (!isSetUp_) return 0;
     Eigen::Index sum = 0;
-    for (PetscInt level = 0; level <= static_cast<PetscInt>(prolongations_.size()); ++level) {
+    for (std::size_t level = 0; level <= prolongations_.size(); ++level) {
       MatInfo info;
-      check(MatGetInfo(matrixOf(smootherOf(level)), MAT_GLOBAL_SUM, &info));
+      check(MatGetInfo(matrixOf(level), MAT_GLOBAL_SUM, &info));
       sum += static_cast<Eigen::Index>(info.nz_used);
     }
     return sum;
@@ -249,13 +172,13 @@ class MultigridSolver::Implementation {
  private:
   /// Of the present matrix.
   bool setUpCycle() {
+    makeCoarseMatrices();
     if (cycle_ == nullptr) makeCycle();
-    noteChangedValues(K_);
-    check(PCSetOperators(cycle_, exact_, team_.isAlone() ? exact_ : K_));
-    if (team_.isAlone() && !setUpLevels()) {
+    if (!team_.all(setUpSmoothers())) {
       goOnWithoutFactors();
       return setUpCycle();
     }
+    knowsSpectra_ = team_.all(knowsSpectra_);
     if (!knowsSpectra_)
       forSmoothers([](KSP smoother) {
         check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
@@ -263,38 +186,63 @@ class MultigridSolver::Implementation {
     ++counts_.setUps;
     isNear_ = false;
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
-    if (isSetUp_ && !knowsSpectra_)
-      forSmoothers([&](KSP smoother) {
-        if (!team_.isAlone()) goRowByRow(matrixOf(smoother));
-        keepSpectrum(smoother);
-      });
+    if (isSetUp_ && !knowsSpectra_) forSmoothers(keepSpectrum);
     knowsSpectra_ = isSetUp_;
     return isSetUp_;
   }
 
-  /// The matrices of all levels and their incomplete factors; false if one should have and has none.
-  bool setUpLevels() {
-    SparseRows rows = rowsOf(A_->leading());
+  /// Those of all levels below the finest one.
+  void makeCoarseMatrices() {
+    petsc::noteChangedValues(K_);
+    if (team_.isAlone()) {
+      SparseRows rows = rowsOf(A_->leading());
+      for (std::size_t k = 0; k < products_.size(); ++k) {
+        products_[k].assign(rows);
+        petsc::noteChangedValues(coarse_[k]);
+        rows = products_[k].rows();
+      }
+      return;
+    }
+    for (std::size_t k = 0; k < prolongations_.size(); ++k) {
+      if (k == coarse_.size()) coarse_.push_back(galerkinProduct(matrixOf(k), prolongations_[k]));
+      check(MatProductNumeric(coarse_[k]));
+    }
+  }
+
+  /// PᵀAP of several ranks, without values. What comes from other ranks is added in the order of these, not in that of messages.
+  static petsc::Matrix galerkinProduct(Mat A, Mat P) {
+    petsc::Matrix product;
+    check(MatProductCreate(A, P, nullptr, product.place()));
+    check(MatProductSetType(product, MATPRODUCT_PtAP));
+    check(MatProductSetAlgorithm(product, "allatonce"));
+    check(MatProductSetFill(product, PETSC_DEFAULT));
+    check(MatProductSetFromOptions(product));
+    check(MatProductSymbolic(product));
+    goRowByRow(product);
+    return product;
+  }
+
+  /// Of all levels; false if one should have incomplete factors and has none.
+  bool setUpSmoothers() {
     bool hasFactors = true;
-    for (std::size_t k = 0; k <= products_.size(); ++k) {  // from the finest on
-      const Mat entries = k == 0 ? K_ : coarse_[k - 1];
+    for (std::size_t k = 0; k <= prolongations_.size(); ++k) {
+      const Mat entries = matrixOf(k);
       Mat product = entries;
       if (k < smoothers_.size()) {
         const double shift = smoothers_[k]->shift();
-        hasFactors = hasFactors && smoothers_[k]->assign(rows);
+        if (!smoothers_[k]->assign(entries)) hasFactors = false;
         knowsSpectra_ = knowsSpectra_ && smoothers_[k]->shift() == shift;
         product = smoothers_[k]->product();
       }
-      check(KSPSetOperators(smootherOf(static_cast<PetscInt>(products_.size() - k)), product, entries));
-      if (k == products_.size()) break;
-      products_[k].assign(rows);
-      noteChangedValues(coarse_[k]);
-      rows = products_[k].rows();
+      check(KSPSetOperators(smootherOf(static_cast<PetscInt>(prolongations_.size() - k)), product, entries));
     }
     // The library looks here for whether there is anything new.
     check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(static_cast<Mat>(exact_))));
     return hasFactors;
   }
+
+  /// Of a level, from the finest one on.
+  Mat matrixOf(std::size_t level) const { return level == 0 ? K_ : coarse_[level - 1]; }
 
   KSP smootherOf(PetscInt level) const {
     KSP smoother = nullptr;
@@ -306,13 +254,6 @@ class MultigridSolver::Implementation {
   void forSmoothers(const F& f) {
     for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level)
       f(smootherOf(level));
-  }
-
-  /// The entries.
-  static Mat matrixOf(KSP smoother) {
-    Mat matrix = nullptr;
-    check(KSPGetOperators(smoother, nullptr, &matrix));
-    return matrix;
   }
 
   /// Of the matrix that has been set up, for the next ones of the search: an estimate takes as long as four or five
@@ -327,20 +268,6 @@ class MultigridSolver::Implementation {
     check(KSPComputeEigenvalues(estimate, count, real.data(), imaginary.data(), &count));
     const double largest = count > 0 ? real.head(count).maxCoeff() : 0.0;
     if (largest > 0.0) check(KSPChebyshevSetEigenvalues(smoother, kLargest * largest, kSmallest * largest));
-  }
-
-  /// The library does not know that the values of a matrix have changed; as long as it does not, smoothers keep what they
-  /// have made of others.
-  void noteChangedValues(Mat matrix) const {
-    Mat here = matrix, elsewhere = nullptr;
-    if (!team_.isAlone()) check(MatMPIAIJGetSeqAIJ(matrix, &here, &elsewhere, nullptr));
-    for (Mat part : {here, elsewhere}) {
-      if (part == nullptr) continue;
-      double* values = nullptr;
-      check(MatSeqAIJGetArrayWrite(part, &values));
-      check(MatSeqAIJRestoreArrayWrite(part, &values));
-    }
-    if (!team_.isAlone()) check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(matrix)));
   }
 
   /// For some searches.
@@ -474,32 +401,35 @@ class MultigridSolver::Implementation {
     return matrix;
   }
 
-  /// K over the arrays of its two parts, of which the library numbers the columns elsewhere anew.
-  petsc::Matrix viewParts(const SystemMatrix& A) {
+  /// K over the arrays of its two blocks; the library numbers the columns of the off-diagonal one anew.
+  petsc::Matrix viewBlocks(const SystemMatrix& A) {
     const auto &here = A.leading(), &elsewhere = A.leadingElsewhere();
     const auto own = static_cast<PetscInt>(n_), all = static_cast<PetscInt>(N_);
-    elsewhere_.assign(elsewhere.innerIndexPtr(), elsewhere.innerIndexPtr() + elsewhere.nonZeros());
+    offDiagonalColumns_.assign(elsewhere.innerIndexPtr(), elsewhere.innerIndexPtr() + elsewhere.nonZeros());
     petsc::Matrix matrix;
     check(MatCreateMPIAIJWithSplitArrays(
         PETSC_COMM_WORLD, own, own, all, all, const_cast<PetscInt*>(here.outerIndexPtr()),
         const_cast<PetscInt*>(here.innerIndexPtr()), const_cast<double*>(here.valuePtr()),
-        const_cast<PetscInt*>(elsewhere.outerIndexPtr()), elsewhere_.data(),
+        const_cast<PetscInt*>(elsewhere.outerIndexPtr()), offDiagonalColumns_.data(),
         const_cast<double*>(elsewhere.valuePtr()), matrix.place()));
     return matrix;
   }
 
   /// The library sees the transpose of K, which need not be symmetric.
   void makeMatrix(const SystemMatrix& A) {
+    groups_.emplace(rowsOf(A.leading()));
     if (team_.isAlone())
       makeLevels(rowsOf(A.leading()));
     else
-      K_ = viewParts(A);
+      K_ = viewBlocks(A);
     goRowByRow(K_);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
                          static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, exact_.place()));
     check(MatShellSetOperation(exact_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
-    if (team_.isAlone() || kind_ != TangentKind::Symmetric) return;
+    if (team_.isAlone()) return;
+    ghosts_.emplace(K_);
+    if (kind_ != TangentKind::Symmetric) return;
     check(MatSetOption(K_, MAT_SYMMETRIC, PETSC_TRUE));
     check(MatSetOption(K_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
   }
@@ -507,7 +437,6 @@ class MultigridSolver::Implementation {
   /// Of a process that is alone.
   void makeLevels(const SparseRows& rows) {
     K_ = view(rows, rows.size);
-    groups_.emplace(rows);
     products_.reserve(hierarchy_.prolongations.size());  // each looks at the one before
     for (const auto& P : hierarchy_.prolongations) {
       const auto& product = products_.emplace_back(groupsOf(products_.size()), P);
@@ -526,13 +455,13 @@ class MultigridSolver::Implementation {
     const auto levels = static_cast<PetscInt>(prolongations_.size()) + 1;
     smoothers_.clear();
     if (factorises_)
-      for (std::size_t k = 0; k < products_.size(); ++k)
-        smoothers_.push_back(std::make_unique<LevelSmoother>(groupsOf(k)));
+      for (std::size_t k = 0; k < prolongations_.size(); ++k)
+        smoothers_.push_back(std::make_unique<LevelSmoother>(matrixOf(k), overlaps_ && !team_.isAlone()));
     check(PCCreate(communicator(), cycle_.place()));
     check(PCSetType(cycle_, PCMG));
-    check(PCSetUseAmat(cycle_, PETSC_FALSE));  // levels are those of the entries
+    check(PCSetOperators(cycle_, exact_, exact_));
     check(PCMGSetLevels(cycle_, levels, nullptr));
-    check(PCMGSetGalerkin(cycle_, team_.isAlone() ? PC_MG_GALERKIN_NONE : PC_MG_GALERKIN_BOTH));
+    check(PCMGSetGalerkin(cycle_, PC_MG_GALERKIN_NONE));
     for (PetscInt level = 1; level < levels; ++level) {
       const auto fromFinest = static_cast<std::size_t>(levels - 1 - level);
       check(PCMGSetInterpolation(cycle_, level, prolongations_[fromFinest]));
@@ -542,7 +471,10 @@ class MultigridSolver::Implementation {
       check(
           KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? steps_ : 2));
       check(KSPGetPC(smoother, &sweep));
-      makeSweep(sweep, fromFinest);
+      if (factorises_)
+        smoothers_[fromFinest]->attachTo(sweep);
+      else
+        check(PCSetType(sweep, PCSOR));  // of several ranks over their own rows
     }
     KSP coarse = nullptr;
     PC factors = nullptr;
@@ -557,19 +489,6 @@ class MultigridSolver::Implementation {
     }
     check(PCSetType(factors, PCLU));
     check(PCFactorSetMatSolverType(factors, MATSOLVERUMFPACK));
-  }
-
-  /// Several ranks have factors of their own rows and columns each, of those next to them as well where they overlap,
-  /// and sweep over their own rows.
-  void makeSweep(PC sweep, std::size_t fromFinest) const {
-    if (!factorises_) return check(PCSetType(sweep, PCSOR));
-    if (team_.isAlone()) return smoothers_[fromFinest]->attachTo(sweep);
-    check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_type", PCICC));
-    check(PetscOptionsSetValue(nullptr, "-burnish_sub_pc_factor_shift_type", "positive_definite"));
-    check(PCSetType(sweep, overlaps_ ? PCASM : PCBJACOBI));
-    if (overlaps_) check(PCASMSetType(sweep, PC_ASM_BASIC));  // symmetric
-    check(PCSetOptionsPrefix(sweep, kPrefix));
-    check(PCSetFromOptions(sweep));
   }
 
   /// Solves for the vector that `rhs` holds; false if it does not converge.
@@ -642,42 +561,56 @@ class MultigridSolver::Implementation {
     void* context = nullptr;
     check(MatShellGetContext(shell, &context));
     auto& self = *static_cast<Implementation*>(context);
-    const bool isSymmetric = self.kind_ == TangentKind::Symmetric;
-    if (self.groups_) {
-      const SparseRows rows = rowsOf(self.A_->leading());
-      fill(x, y, [&](auto in, auto out) {
-        if (isSymmetric)
-          self.groups_->multiply(rows, in, out);
-        else
-          self.groups_->multiplyTransposed(rows, in, out);
-      });
-    } else {
-      check(isSymmetric ? MatMult(self.K_, x, y) : MatMultTranspose(self.K_, x, y));
-    }
+    if (self.kind_ == TangentKind::Symmetric)
+      self.multiplyByEntries(x, y);
+    else
+      self.multiplyByTransposed(x, y);
     if (!self.A_->hasProducts()) return 0;
     Eigen::VectorXd coupled = Eigen::VectorXd::Zero(self.N_), product = Eigen::VectorXd::Zero(self.n_);
     read(x, [&](auto in) { coupled.segment(self.first_, self.n_) = in; });
-    if (!self.team_.isAlone()) self.fillFromOtherRanks(x, coupled);
+    if (!self.team_.isAlone()) self.fillGhosts(x, coupled);
     self.A_->addProducts(coupled, product);
     write(y, [&](auto out) { out += product; });
     return 0;
   }
 
+  /// y = A x, A with the rows that the library has; K, if it is symmetric.
+  void multiplyByEntries(Vec x, Vec y) {
+    if (ghosts_) ghosts_->begin(x);
+    fill(x, y, [&](auto in, auto out) { groups_->multiply(rowsOf(A_->leading()), in, out); });
+    if (!ghosts_) return;
+    ghosts_->end(x);
+    read(ghosts_->values(), [&](auto in) { write(y, [&](auto out) { out += offDiagonalBlock() * in; }); });
+  }
+
+  /// y = Aᵀ x, A with the rows that the library has.
+  void multiplyByTransposed(Vec x, Vec y) {
+    fill(x, y, [&](auto in, auto out) { groups_->multiplyTransposed(rowsOf(A_->leading()), in, out); });
+    if (!ghosts_) return;
+    read(x, [&](auto in) {
+      write(ghosts_->values(), [&](auto out) { out = offDiagonalBlock().transpose() * in; });
+    });
+    ghosts_->addTo(y);
+  }
+
+  /// Of this rank's rows, the columns of other ranks, in the order of what comes from these.
+  Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> offDiagonalBlock() const {
+    const SparseRows rows = petsc::rowsOf(petsc::MatrixBlocks(K_).offDiagonal);
+    return {rows.size,
+            static_cast<Eigen::Index>(ghosts_->numbers().size()),
+            rows.begins[rows.size],
+            rows.begins,
+            rows.columns,
+            rows.values};
+  }
+
   /// Those numbers of a vector that other ranks have and this one's rows of K need.
-  void fillFromOtherRanks(Vec x, Eigen::VectorXd& values) {
-    PetscInt count = 0;
-    const PetscInt* numbers = nullptr;
-    check(MatGetGhosts(K_, &count, &numbers));
-    if (elsewhereOfX_ == nullptr) {
-      petsc::Indices from;
-      check(ISCreateGeneral(PETSC_COMM_SELF, count, numbers, PETSC_USE_POINTER, from.place()));
-      check(VecCreateSeq(PETSC_COMM_SELF, count, elsewhereOfX_.place()));
-      check(VecScatterCreate(x, from, elsewhereOfX_, nullptr, scatter_.place()));
-    }
-    check(VecScatterBegin(scatter_, x, elsewhereOfX_, INSERT_VALUES, SCATTER_FORWARD));
-    check(VecScatterEnd(scatter_, x, elsewhereOfX_, INSERT_VALUES, SCATTER_FORWARD));
-    read(elsewhereOfX_, [&](auto in) {
-      for (PetscInt k = 0; k < count; ++k) values(numbers[k]) = in(k);
+  void fillGhosts(Vec x, Eigen::VectorXd& values) {
+    const auto numbers = ghosts_->numbers();
+    ghosts_->begin(x);
+    ghosts_->end(x);
+    read(ghosts_->values(), [&](auto in) {
+      for (Eigen::Index k = 0; k < in.size(); ++k) values(numbers[static_cast<std::size_t>(k)]) = in(k);
     });
   }
 
@@ -733,26 +666,25 @@ class MultigridSolver::Implementation {
   SystemBorder border_;
   Eigen::SparseMatrix<double> ownB_;                   ///< this rank's rows of B
   Eigen::SparseMatrix<double, Eigen::RowMajor> ownG_;  ///< and columns of G
-  std::vector<PetscInt> elsewhere_;                    ///< columns of K that other ranks have
+  std::vector<PetscInt> offDiagonalColumns_;           ///< columns of K that other ranks have
   BorderZone zone_;
   const Hierarchy& hierarchy_;
-  std::vector<petsc::Matrix> prolongations_;  ///< from the finest on
+  std::vector<petsc::Matrix> prolongations_;  ///< from the finest level on
   const SystemMatrix* A_ = nullptr;
-  petsc::Matrix K_;      ///< transposed; without products
-  petsc::Matrix exact_;  ///< K as it is, with products, to multiply by
+  petsc::Matrix K_;                  ///< transposed; without products
+  petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
+  std::optional<RowGroups> groups_;  ///< of K's diagonal block
 
-  // Of a process that is alone, from the finest level on:
-  std::optional<RowGroups> groups_;        ///< of K
-  std::vector<GalerkinProduct> products_;  ///< matrices of the levels below the finest one
-  std::vector<petsc::Matrix> coarse_;      ///< the same for the library
+  // From the finest level on:
+  std::vector<GalerkinProduct> products_;  ///< matrices of the levels below it in a process that is alone
+  std::vector<petsc::Matrix> coarse_;      ///< the same for the library, and those of several ranks
   std::vector<std::unique_ptr<LevelSmoother>>
       smoothers_;  ///< of all levels but the coarsest, if the cycle has factors
 
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
-  petsc::Vector elsewhereOfX_;  ///< see `fillFromOtherRanks`
-  petsc::Scatter scatter_;      ///< to that vector
-  Eigen::VectorXd weights_;     ///< of rows in GMRES
+  std::optional<petsc::GhostValues> ghosts_;  ///< of K, of several ranks
+  Eigen::VectorXd weights_;                   ///< of rows in GMRES
   Eigen::VectorXd unfinished_;  ///< where GMRES has come to for this right-hand side; empty where it begins
   IterationCounts counts_;
   long numIndefinite_ = 0;

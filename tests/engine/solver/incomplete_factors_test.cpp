@@ -113,6 +113,23 @@ TEST(IncompleteFactors, TakeWhatRoundingLeavesOfASingularMatrixForNothing) {
   EXPECT_GT(factors.shift(), 0.0);
 }
 
+TEST(IncompleteFactors, ShiftWhereLittleIsLeftOfAPivot) {
+  const auto shiftOf = [](const Eigen::Matrix3d& entries) {
+    const grid::Matrix A = entries.sparseView();
+    const RowGroups groups(grid::rowsOf(A));
+    IncompleteFactors factors(groups);
+    EXPECT_TRUE(factors.factorise(grid::rowsOf(A)));
+    return factors.shift();
+  };
+  const auto chain = [](double c) {
+    return Eigen::Matrix3d{{1.0, c, 0.0}, {c, 1.0, 0.01}, {0.0, 0.01, 1.0}};
+  };
+  EXPECT_EQ(shiftOf(chain(0.98)), 0.0);     // 1 - c^2 = 0.0396
+  EXPECT_EQ(shiftOf(chain(0.995)), 0.004);  // 0.0100, and 0.0139 with the first shift
+  // Within a block nothing is left out.
+  EXPECT_EQ(shiftOf(Eigen::Matrix3d{{1.0, 0.998, 0.99}, {0.998, 1.0, 0.99}, {0.99, 0.99, 1.0}}), 0.0);
+}
+
 TEST(IncompleteFactors, SolveAgainAfterARightHandSideThatIsNotFinite) {
   const grid::Matrix A = grid::matrix(7, 6, 12.0);
   const RowGroups groups(grid::rowsOf(A));
