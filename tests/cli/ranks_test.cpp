@@ -22,11 +22,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// spans: in each direction.
-std::string block(const std::string& spans) {
-  return R"yaml(
+std::string block(const std::string& spans, const std::string& tolerance = "1.0e-11") {
+  return "solver: {linear: multigrid, tolerance: " + tolerance + "}" + R"yaml(
 degree: 2
 supports: [{face: back, fix: [x, y, z]}]
-solver: {linear: multigrid, tolerance: 1.0e-11}
 output: {every: 0.5, vtu: false}
 geometry: {grading: ["s", "s", "1 - 0.3*(1 - s) - 0.7*(1 - s)^2"], shape: box, origin: [-0.5, -0.5, -1], size: [1, 1, 1], spans: )yaml" +
          spans + "}\n";
@@ -208,7 +207,8 @@ TEST_F(Ranks, PlasticBlockUnderABallThatRubs) {
 }
 
 TEST_F(Ranks, ToolWithAFreeDirection) {
-  expectSameResults(block("[7, 6, 6]") + kFreeBall);
+  // Friction is a small part of the force that tolerances go by.
+  expectSameResults(block("[7, 6, 6]", "1.0e-12") + kFreeBall);
 }
 
 TEST_F(Ranks, ProjectedVolumeChangeOfAPlasticBlock) {
