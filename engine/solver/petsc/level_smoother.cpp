@@ -47,11 +47,10 @@ void LevelSmoother::Overlap::apply(Vec b, Vec x, const F& f) {
   check(VecScatterEnd(scatter_, out_, x, ADD_VALUES, SCATTER_REVERSE));
 }
 
-LevelSmoother::LevelSmoother(Mat A, bool overlaps)
-    : groups_(rowsOf(MatrixBlocks(A).diagonal)),
-      diagonal_(groups_),
+LevelSmoother::LevelSmoother(Mat A, const RowGroups& groups, bool overlaps)
+    : diagonal_(groups),
       overlap_(overlaps ? std::make_unique<Overlap>(A) : nullptr),
-      factors_(overlap_ ? overlap_->groups() : groups_) {
+      factors_(overlap_ ? overlap_->groups() : groups) {
   if (const Mat block = MatrixBlocks(A).offDiagonal; block != nullptr) {
     check(MatDuplicate(block, MAT_DO_NOT_COPY_VALUES, offDiagonal_.place()));
     ghosts_.emplace(A);

@@ -13,8 +13,8 @@ namespace burnish {
 /// block, of the rows next to these as well where they overlap; off-diagonal blocks are the library's.
 class LevelSmoother {
  public:
-  /// For matrices of the pattern of A. All ranks make one together, and assign together.
-  LevelSmoother(Mat A, bool overlaps);
+  /// For matrices of the pattern of A; groups, of its diagonal block, have to stay. All ranks make one together, and assign together.
+  LevelSmoother(Mat A, const RowGroups& groups, bool overlaps);
   LevelSmoother(const LevelSmoother&) = delete;
   LevelSmoother& operator=(const LevelSmoother&) = delete;
 
@@ -57,7 +57,6 @@ class LevelSmoother {
   void multiply(Vec x, Vec y);
   void solve(Vec b, Vec x) const;
 
-  RowGroups groups_;  ///< of the diagonal block
   CompactMatrix diagonal_;
   std::unique_ptr<Overlap> overlap_;  ///< of several ranks
   IncompleteFactors factors_;

@@ -206,6 +206,8 @@ class MultigridSolver::Implementation {
     for (std::size_t k = 0; k < prolongations_.size(); ++k) {
       if (k == coarse_.size()) coarse_.push_back(galerkinProduct(matrixOf(k), prolongations_[k]));
       check(MatProductNumeric(coarse_[k]));
+      if (k == coarseGroups_.size())
+        coarseGroups_.emplace_back(petsc::rowsOf(petsc::MatrixBlocks(coarse_[k]).diagonal));
     }
   }
 
@@ -423,6 +425,7 @@ class MultigridSolver::Implementation {
       makeLevels(rowsOf(A.leading()));
     else
       K_ = viewBlocks(A);
+    coarseGroups_.reserve(prolongations_.size());  // smoothers look at them
     goRowByRow(K_);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
     check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
@@ -446,9 +449,10 @@ class MultigridSolver::Implementation {
     }
   }
 
-  /// From the finest level on.
+  /// Of the diagonal block of a level, from the finest one on.
   const RowGroups& groupsOf(std::size_t level) const {
-    return level == 0 ? *groups_ : products_[level - 1].groups();
+    if (level == 0) return *groups_;
+    return team_.isAlone() ? products_[level - 1].groups() : coarseGroups_[level - 1];
   }
 
   /// One V-cycle over all levels.
@@ -457,7 +461,8 @@ class MultigridSolver::Implementation {
     smoothers_.clear();
     if (factorises_)
       for (std::size_t k = 0; k < prolongations_.size(); ++k)
-        smoothers_.push_back(std::make_unique<LevelSmoother>(matrixOf(k), overlaps_ && !team_.isAlone()));
+        smoothers_.push_back(
+            std::make_unique<LevelSmoother>(matrixOf(k), groupsOf(k), overlaps_ && !team_.isAlone()));
     check(PCCreate(communicator(), cycle_.place()));
     check(PCSetType(cycle_, PCMG));
     check(PCSetOperators(cycle_, exact_, exact_));
@@ -679,6 +684,7 @@ class MultigridSolver::Implementation {
   // From the finest level on:
   std::vector<GalerkinProduct> products_;  ///< matrices of the levels below it in a process that is alone
   std::vector<petsc::Matrix> coarse_;      ///< the same for the library, and those of several ranks
+  std::vector<RowGroups> coarseGroups_;    ///< of the diagonal blocks of those
   std::vector<std::unique_ptr<LevelSmoother>>
       smoothers_;  ///< of all levels but the coarsest, if the cycle has factors
 
