@@ -74,8 +74,17 @@ constexpr double kOvershoot = 0.5;
 /// States along such a correction that are looked at, at most.
 constexpr int kMostTries = 3;
 
-/// Residual over the tolerance up to which that work may be rounding.
+/// Residual over the tolerance up to which what it does may be rounding.
 constexpr double kNearTheEnd = 100.0;
+
+/// Whether the last iterates of a search go to and fro between two states, as where each correction makes a place stick that
+/// the next one makes slip. residuals: of all iterates.
+bool goesToAndFro(const std::vector<double>& residuals) {
+  constexpr double kSame = 0.01;
+  const auto last = residuals.rbegin();
+  const auto isAsBefore = [&](std::ptrdiff_t ago) { return std::abs(last[ago] - *last) < kSame * *last; };
+  return residuals.size() > 4 && isAsBefore(2) && isAsBefore(4);
+}
 
 /// Residuals of all terms together, less what is held against them.
 Eigen::VectorXd sumOf(const std::vector<Eigen::VectorXd>& forces, const Eigen::VectorXd& held, int size) {
@@ -324,7 +333,8 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
   for (int i = 0; mayGoTooFar && i < system_.numUnknowns(); ++i)
     mayGoTooFar = !system_.isPrescribed(i) || correction(i) == 0.0;
   const double workAtStart = mayGoTooFar ? work() : 0.0;
-  double s = 1.0;
+  // Half of the way leads away from both states.
+  double s = before > kNearTheEnd * options_.tolerance && goesToAndFro(report.history) ? 0.5 : 1.0;
   for (int halvings = 0;; ++halvings, s *= 0.5) {
     if (goTo(s)) {
       if (workAtStart < 0.0) {

@@ -159,6 +159,38 @@ TEST(Newton, ShortensACorrectionThatWouldBeInadmissible) {
   EXPECT_NEAR(x(1), 0.575, 1e-9);
 }
 
+/// A force on one unknown that rises steeply to either side of zero, and slowly behind that: a tangent of either slow piece
+/// leads to the other one.
+class SteepInTheMiddle final : public Term {
+ public:
+  CouplingGroups couplings() const override { return {{0}}; }
+  bool evaluate(double, const Eigen::VectorXd& x, Assembly& out) override {
+    const double u = x(0), slope = u < 0.0 ? 1.0 : 0.5, kink = 0.4;
+    const bool isSteep = std::abs(u) < kink;
+    out.force(0) += isSteep ? u / kink + slope * u : std::copysign(1.0, u) + slope * u;
+    if (out.system != nullptr)
+      out.system->add(out.term, 0, Eigen::MatrixXd::Constant(1, 1, isSteep ? 1.0 / kink + slope : slope));
+    return true;
+  }
+  void accept() override {}
+};
+
+TEST(Newton, LeavesACircle) {
+  SteepInTheMiddle term;
+  const Eigen::VectorXd target = Eigen::VectorXd::Zero(1);
+  ResidualScales scales = scalesFor(1);
+  scales.forceFloor = 10.0;
+  for (const double begin : {1.0, -2.0, 0.7, 5.0}) {
+    Newton newton({&term}, {false}, scales, {.harmlessResidual = 1.0});
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(1, begin);
+    const NewtonReport report = newton.solve(0.0, target, x);
+    ASSERT_EQ(report.outcome, NewtonOutcome::Converged);
+    EXPECT_GT(report.iterations, 5);
+    EXPECT_LT(report.iterations, 15);
+    EXPECT_NEAR(x(0), 0.0, 1e-9);
+  }
+}
+
 TEST(Newton, SaysWhenNothingIsAdmissible) {
   Chain chain(3, 0.1);
   Newton newton({&chain}, {true, false, true}, scalesFor(3), {});
