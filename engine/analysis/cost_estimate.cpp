@@ -153,7 +153,7 @@ class Estimator {
       if (!isProjected(k)) continue;
       const double functions = std::pow(scene_.allBodies()[k].degree, Dim);
       for (const auto& span : model_.bodies()[k].quadrature->spans())
-        numbers += 2.0 * Dim * functions * static_cast<double>(span.nodes.size()) +
+        numbers += 3.0 * Dim * functions * static_cast<double>(span.nodes.size()) +
                    (55.0 + 2.0 * functions) * static_cast<double>(span.weights.size());
     }
     return numbers * sizeof(double);

@@ -34,9 +34,8 @@ DilatationProduct<Dim>::DilatationProduct(const CouplingGroups& unknowns,
 
 template <int Dim>
 Eigen::MatrixXd DilatationProduct<Dim>::ofSpan(std::size_t e) const {
-  const auto& [Z, C, E, transposedC] = shares_[e];
-  const Eigen::MatrixXd z = Z * projection_.spans()[e].averaged.cwiseInverse().asDiagonal();
-  return symmetricProduct<Eigen::MatrixXd>(z, C, E);
+  const DilatationShare& share = shares_[e];
+  return symmetricProduct<Eigen::MatrixXd>(share.z, share.C, share.E);
 }
 
 template <int Dim>
@@ -67,13 +66,11 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
   forAll([&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
   const Eigen::VectorXd answer = sumOver(met);
   parallelBatches(batches_, [&](std::size_t e) {
-    const auto& [Z, C, E, transposedC] = shares_[e];
+    const DilatationShare& share = shares_[e];
     const auto& functions = spans[e].functions;
-    const Eigen::VectorXd& averaged = spans[e].averaged;
-    const Eigen::VectorXd own = partOf(Zx, e).cwiseQuotient(averaged);
-    const Eigen::VectorXd onZ = answer(functions) - (E * own + partOf(Cx, e)).cwiseQuotient(averaged);
-    const Eigen::VectorXd onC = change(functions) - own;
-    y(unknowns_[e]) += Z * onZ + C * onC;
+    const Eigen::VectorXd own = share.z.transpose() * x(unknowns_[e]);
+    y(unknowns_[e]) += share.Z * answer(functions) + share.C * (change(functions) - own) -
+                       share.z * (share.E * own + partOf(Cx, e));
     return true;
   });
 }
@@ -100,7 +97,7 @@ Eigen::SparseMatrix<double> DilatationProduct<Dim>::entries(const std::vector<in
         const auto i = static_cast<Eigen::Index>(k);
         Z.emplace_back(row, function, share.Z(i, a));
         C.emplace_back(row, function, share.C(i, a));
-        ownZ.emplace_back(row, first + a, share.Z(i, a) / span.averaged(a));
+        ownZ.emplace_back(row, first + a, share.z(i, a));
         ownC.emplace_back(row, first + a, share.C(i, a));
       }
     }

@@ -18,16 +18,18 @@ struct DilatationShare {
   Eigen::MatrixXd C;            ///< Dim·n x m
   Eigen::MatrixXd E;            ///< m x m, symmetric
   Eigen::MatrixXd transposedC;  ///< Dim·n x m, in place of C in Z Cᵀ; empty if it is C
+  Eigen::MatrixXd z;            ///< Dim·n x m, in place of Z on this span by itself; where products are kept
 };
 
-/// The part of that tangent which is left when each span adds to the entries of its own unknowns what it would
-/// be without the averages of Π over spans: with z = D Zᵀ for Zᵀ, D the inverse weights of the averages,
+/// The part of that tangent which is left when each span adds to the entries of its own unknowns what stands there for
+/// the averages of Π over spans, z of `DilatationProjection::sharesByItself`:
 ///
-///     Z E Zᵀ + C Zᵀ + Z Cᵀ − Σ ( zᵀ E z + C z + zᵀ Cᵀ ).
+///     Z E Zᵀ + C Zᵀ + Z Cᵀ − Σ ( z E zᵀ + C zᵀ + z Cᵀ ).
 ///
-/// The entries with the spans' sums alone are near the tangent: what they lack tends to zero on smooth fields,
-/// and on others the volume is stiffer in them than in the tangent. C stands in for `transposedC`: in space, where
-/// products are kept, both are the same for laws whose volume change is elastic.
+/// The entries alone are near the tangent, also near incompressibility: at `ν = 0.49`, on equal spans of degree 2, the
+/// eigenvalues of the one against the other lie between a quarter and three, and most of them between 0.6 and 1.6. (With the
+/// spans' own fits in place of z, which see changes of volume that averages do not, they begin at 0.02.) C stands in
+/// for `transposedC`: in space, where products are kept, both are the same for laws whose volume change is elastic.
 template <int Dim>
 class DilatationProduct final : public TangentProduct {
  public:
@@ -36,7 +38,7 @@ class DilatationProduct final : public TangentProduct {
   DilatationProduct(const CouplingGroups& unknowns, const DilatationProjection<Dim>& projection,
                     const std::vector<DilatationShare>& shares, const std::vector<SpanBatches>& batches);
 
-  /// zᵀ E z + C z + zᵀ Cᵀ of a span: Dim·n x Dim·n.
+  /// z E zᵀ + C zᵀ + z Cᵀ of a span: Dim·n x Dim·n.
   Eigen::MatrixXd ofSpan(std::size_t e) const;
 
   void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;

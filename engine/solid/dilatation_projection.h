@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <array>
 #include <vector>
 
 #include "engine/core/team.h"
@@ -20,16 +21,24 @@ class DilatationProjection {
  public:
   /// m functions and Q points of a span of the quadrature, in the same order.
   struct Span {
-    std::vector<int> functions;  ///< m
-    Eigen::MatrixXd N;           ///< m x Q values
-    Eigen::MatrixXd L;           ///< m x Q: share of the span's point values in the coefficients
-    Eigen::VectorXd averaged;    ///< m: weight of the span in the average that a coefficient is
+    int patch = 0;
+    typename TensorBasis<Dim>::Index index{};  ///< of the span in its patch
+    std::vector<int> functions;                ///< m
+    Eigen::MatrixXd N;                         ///< m x Q values
+    Eigen::MatrixXd L;         ///< m x Q: share of the span's point values in the coefficients
+    Eigen::VectorXd averaged;  ///< m: weight of the span in the average that a coefficient is
   };
 
   /// The quadrature must have been made from the same body.
   DilatationProjection(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature);
 
   const std::vector<Span>& spans() const { return spans_; }
+
+  /// What stands for Π's coefficients where a span is looked at by itself: m x Q shares of its point values. Averages
+  /// reach beyond the span; in each direction these are the functionals of the span's own values that are nearest to
+  /// them: as sums over the coefficients of the body's functions, those of the span alone with the least change for which
+  /// polynomials that are in Π's space keep their coefficients. Where no other span has a part they are L.
+  Eigen::MatrixXd sharesByItself(std::size_t span) const;
   int numFunctions() const { return numFunctions_; }
 
   /// From now on a rank of a team, which must outlive the object, works on some spans alone and forgets the others.
@@ -57,6 +66,8 @@ class DilatationProjection {
 
  private:
   std::vector<Span> spans_;
+  /// `sharesByItself` in one direction, by patch, direction and span of that: functions x points.
+  std::vector<std::array<std::vector<Eigen::MatrixXd>, static_cast<std::size_t>(Dim)>> univariateShares_;
   int numFunctions_ = 0;
   const Team* team_ = &alone();
   std::vector<int> workedOn_, own_;

@@ -205,7 +205,9 @@ bool ProjectedTerm<Dim>::measure(std::size_t number, const Eigen::VectorXd& x, b
   this->spanSummaries_[number] = summary;
   const Eigen::MatrixXd& L = projection_.spans()[number].L;
   spanDilatations_[number] = L * dilatation;
-  if (wantTangent) multiplyTransposed(work.perPoint, L, shares_[number].Z);
+  if (!wantTangent) return true;
+  multiplyTransposed(work.perPoint, L, shares_[number].Z);
+  if (product_) multiplyTransposed(work.perPoint, projection_.sharesByItself(number), shares_[number].z);
   return true;
 }
 

@@ -26,7 +26,7 @@ using petsc::read;
 using petsc::write;
 
 /// Where more are needed, others do better.
-constexpr int kMostWithFactors = 60, kMostWithSweeps = 500;
+constexpr int kMostWithFactors = 150, kMostWithSweeps = 500;
 
 /// A V-cycle of an earlier matrix is kept while a digit costs no more than this, over what it cost at first.
 constexpr double kMostOverFirst = 1.5;

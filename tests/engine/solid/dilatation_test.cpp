@@ -2,6 +2,7 @@
 // and what it is for, a nearly incompressible body that does not lock.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -218,6 +219,65 @@ TEST(DilatationProduct, AddsNothingWhereOneSpanHasTheWholeBody) {
   ASSERT_TRUE(system.hasProducts());
   system.addProducts(x, product);
   EXPECT_LT(product.norm(), 1e-13 * (system.leading() * x).norm());
+}
+
+/// Smallest and largest eigenvalue of the whole tangent against its entries without products, where the first quarter of
+/// the unknowns is held.
+std::array<double, 2> eigenvaluesAgainstEntries(const Body<3>& body, double nu) {
+  const SpanQuadrature<3> quadrature(body);
+  const auto term = makeBulkTerm(body, quadrature, NeoHookean({1.0, nu}), Formulation::ProjectedDilatation);
+  term->keepProducts();
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(3 * body.numNodes);
+  std::vector<bool> held(static_cast<std::size_t>(x.size()), false);
+  std::fill_n(held.begin(), x.size() / 4, true);
+  SparseSystem system(held, {term->couplings()});
+  Eigen::VectorXd force = x;
+  Assembly out{force, &system, 0};
+  EXPECT_TRUE(term->evaluate(0.0, x, out));
+  const Eigen::VectorXd eigenvalues =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+          Eigen::MatrixXd(system.whole()), Eigen::MatrixXd(system.leading()), Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  return {eigenvalues.minCoeff(), eigenvalues.maxCoeff()};
+}
+
+/// What multigrid with F-bar rests on: a matrix with the pattern of the displacement formulation is near the tangent.
+TEST(DilatationProduct, EntriesAreNearTheTangentAlsoNearIncompressibility) {
+  const auto block = [](int degree, int spans) {
+    const KnotVector knots = KnotVector::uniform(degree, spans);
+    return makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {knots, knots, knots}));
+  };
+  for (const int spans : {3, 4, 5}) {
+    const auto [least, most] = eigenvaluesAgainstEntries(block(2, spans), 0.49);
+    EXPECT_GT(least, 0.25) << spans;
+    EXPECT_LT(most, 3.0) << spans;
+    const auto [softLeast, softMost] = eigenvaluesAgainstEntries(block(2, spans), 0.3);
+    EXPECT_GT(softLeast, 0.75) << spans;
+    EXPECT_LT(softMost, 1.5) << spans;
+  }
+  const auto [least, most] = eigenvaluesAgainstEntries(block(3, 4), 0.49);
+  EXPECT_GT(least, 0.13);
+  EXPECT_LT(most, 3.0);
+}
+
+TEST(DilatationProjection, KeepsPolynomialsOnSpansByThemselves) {
+  for (int degree = 1; degree <= 4; ++degree) {
+    std::vector<double> added{0.1, 0.25};
+    if (degree > 1) added.push_back(0.25);
+    const KnotVector graded = withKnots(KnotVector::uniform(degree, 3), added);
+    const Body<2> body =
+        makeBody(refined(rectangle({0.0, 0.0}, {1.0, 1.0}), {graded, KnotVector::uniform(degree, 4)}));
+    const SpanQuadrature<2> quadrature(body);
+    const DilatationProjection<2> projection(body, quadrature);
+    for (std::size_t e = 0; e < projection.spans().size(); ++e) {
+      const auto& span = projection.spans()[e];
+      const auto& xi = quadrature.spans()[e].xi;
+      const Eigen::VectorXd values =
+          (0.3 + xi.row(0).array()).pow(degree - 1) * (xi.row(1).array() - 0.7).pow(degree - 1);
+      const Eigen::VectorXd coefficients = (span.L * values).cwiseQuotient(span.averaged);
+      EXPECT_LT((projection.sharesByItself(e) * values - coefficients).norm(), 1e-10) << degree << ", " << e;
+    }
+  }
 }
 
 TEST(DilatationProjection, KeepsSplinesOfOneDegreeLessAndAllIntegrals) {
