@@ -13,62 +13,115 @@
 namespace burnish {
 namespace {
 
-/// A span of a univariate basis of degree p, with n points.
-struct UnivariateSpan {
-  Eigen::MatrixXd B;          ///< p+1 x n: values of the basis
-  Eigen::MatrixXd fit;        ///< p x n: coefficients of the least-squares fit by Π's functions
-  Eigen::VectorXd integrals;  ///< p: of these functions
-  Eigen::MatrixXd monomials;  ///< n x p: those below degree p, of a parameter from −1 to 1
+/// Where the volume per parameters changes by so much within a span, as beside a face that is collapsed to a point.
+constexpr double kUneven = 30.0;
 
+/// Weights of as many points of a span in its parameters, up to a factor.
+template <int Dim>
+Eigen::VectorXd parameterWeights(Eigen::Index numPoints) {
+  const auto n = static_cast<int>(std::lround(std::pow(static_cast<double>(numPoints), 1.0 / Dim)));
+  const Eigen::VectorXd ofDirection = gaussLegendre(n).weights;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(1);
+  for (int d = 0; d < Dim; ++d) weights = (weights * ofDirection.transpose()).reshaped().eval();
+  return weights;
+}
+
+/// A span of a univariate basis of degree p, with n points, n > p.
+struct UnivariateSpan {
+  int firstFunction, firstOfSpace;  ///< of the basis, and of Π's functions
+  Eigen::MatrixXd B;                ///< p+1 x n: values of the basis
+  Eigen::MatrixXd fit;              ///< p x n: coefficients of the least-squares fit by Π's functions
+  Eigen::VectorXd integrals;        ///< p: of these functions
+  Eigen::MatrixXd monomials;        ///< n x p: those below degree p, of a parameter from −1 to 1
+
+  /// weights: of the points, n.
   UnivariateSpan(const UnivariateBasis& basis, const UnivariateBasis& space, int span,
-                 const QuadratureRule& rule)
-      : B(basis.degree() + 1, rule.points.size()), monomials(rule.points.size(), basis.degree()) {
+                 const Eigen::VectorXd& points, const Eigen::VectorXd& weights)
+      : firstFunction(basis.firstFunction(span)),
+        firstOfSpace(space.firstFunction(span)),
+        B(basis.degree() + 1, points.size()),
+        monomials(points.size(), basis.degree()) {
     const double begin = basis.spanBegin(span), length = basis.spanEnd(span) - begin;
-    Eigen::MatrixXd N(basis.degree(), rule.points.size());
-    for (Eigen::Index q = 0; q < rule.points.size(); ++q) {
-      const double xi = begin + length * rule.points(q);
+    Eigen::MatrixXd N(basis.degree(), points.size());
+    for (Eigen::Index q = 0; q < points.size(); ++q) {
+      const double xi = begin + length * points(q);
       B.col(q) = basis.evaluate(span, xi, 0);
       N.col(q) = space.evaluate(span, xi, 0);
     }
     for (Eigen::Index k = 0; k < monomials.cols(); ++k)
-      monomials.col(k) = (2.0 * rule.points.array() - 1.0).pow(static_cast<double>(k));
-    const Eigen::MatrixXd weighted = N * rule.weights.asDiagonal();
+      monomials.col(k) = (2.0 * points.array() - 1.0).pow(static_cast<double>(k));
+    const Eigen::MatrixXd weighted = N * weights.asDiagonal();
     fit = (weighted * N.transpose()).ldlt().solve(weighted);
-    integrals = length * N * rule.weights;
+    integrals = N * weights;
   }
 };
 
-/// `DilatationProjection::sharesByItself` on the spans of a univariate basis with the points of a rule on each.
+/// `DilatationProjection::sharesByItself` on the spans of a univariate basis. weights: of the points on each span; points on (0, 1).
 std::vector<Eigen::MatrixXd> univariateSharesByItself(const UnivariateBasis& basis,
-                                                      const QuadratureRule& rule) {
+                                                      const Eigen::VectorXd& points,
+                                                      const std::vector<Eigen::VectorXd>& weights) {
   const UnivariateBasis space = basis.derivativeSpace();
   const int p = basis.degree();
   std::vector<UnivariateSpan> spans;
   Eigen::VectorXd integrals = Eigen::VectorXd::Zero(space.numFunctions());
-  for (int e = 0; e < basis.numSpans(); ++e)
-    integrals.segment(space.firstFunction(e), p) += spans.emplace_back(basis, space, e, rule).integrals;
-
-  Eigen::MatrixXd averages = Eigen::MatrixXd::Zero(space.numFunctions(), basis.numFunctions());
-  const auto averagesOn = [&](int e) {
-    return averages.block(space.firstFunction(e), basis.firstFunction(e), p, p + 1);
-  };
   for (int e = 0; e < basis.numSpans(); ++e) {
-    const UnivariateSpan& span = spans[static_cast<std::size_t>(e)];
-    const Eigen::VectorXd averaged =
-        span.integrals.cwiseQuotient(integrals.segment(space.firstFunction(e), p));
-    averagesOn(e) += averaged.asDiagonal() * span.fit * span.B.transpose();
+    spans.emplace_back(basis, space, e, points, weights[static_cast<std::size_t>(e)]);
+    integrals.segment(spans.back().firstOfSpace, p) += spans.back().integrals;
   }
+  std::vector<Eigen::MatrixXd> contributions;  // of spans to the averages, p x p+1
+  for (const UnivariateSpan& span : spans)
+    contributions.emplace_back(
+        span.integrals.cwiseQuotient(integrals.segment(span.firstOfSpace, p)).asDiagonal() * span.fit *
+        span.B.transpose());
 
   std::vector<Eigen::MatrixXd> shares;
-  for (int e = 0; e < basis.numSpans(); ++e) {
-    const UnivariateSpan& span = spans[static_cast<std::size_t>(e)];
+  for (std::size_t e = 0; e < spans.size(); ++e) {
+    const UnivariateSpan& span = spans[e];
+    Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(p, p + 1);
+    const auto reach = static_cast<std::size_t>(p);
+    for (std::size_t other = e - std::min(e, reach); other < std::min(spans.size(), e + reach + 1); ++other) {
+      const int down = spans[other].firstOfSpace - span.firstOfSpace;
+      const int right = spans[other].firstFunction - span.firstFunction;
+      for (int a = std::max(0, down); a < std::min(p, p + down); ++a)
+        for (int b = std::max(0, right); b < std::min(p + 1, p + 1 + right); ++b)
+          kept(a, b) += contributions[other](a - down, b - right);
+    }
     const Eigen::MatrixXd coefficients = (span.B * span.B.transpose()).ldlt().solve(span.B);
-    const Eigen::MatrixXd kept = averagesOn(e), polynomials = coefficients * span.monomials;
+    const Eigen::MatrixXd polynomials = coefficients * span.monomials;
     const Eigen::MatrixXd missing = span.fit * span.monomials - kept * polynomials;
     const Eigen::MatrixXd least =
         polynomials * (polynomials.transpose() * polynomials).ldlt().solve(missing.transpose());
     shares.emplace_back((kept + least.transpose()) * coefficients);
   }
+  return shares;
+}
+
+/// Of a patch, by direction and span of that; empty where a direction has no more points on a span than its degree.
+template <int Dim>
+typename DilatationProjection<Dim>::DirectionShares sharesOfPatch(const TensorBasis<Dim>& basis, int patch,
+                                                                  const SpanQuadrature<Dim>& quadrature) {
+  typename DilatationProjection<Dim>::DirectionShares shares;
+  int degree = 0, n = 0;
+  std::array<std::vector<Eigen::VectorXd>, static_cast<std::size_t>(Dim)> weights;
+  for (const auto& span : quadrature.spans()) {
+    if (span.patch != patch) continue;
+    const auto index = basis.spanIndex(span.number);
+    if (n == 0)
+      n = static_cast<int>(std::lround(std::pow(static_cast<double>(span.weights.size()), 1.0 / Dim)));
+    for (std::size_t d = 0, stride = 1; d < weights.size(); ++d, stride *= static_cast<std::size_t>(n)) {
+      if (weights[d].empty())
+        weights[d].assign(static_cast<std::size_t>(basis.direction(static_cast<int>(d)).numSpans()),
+                          Eigen::VectorXd::Zero(n));
+      Eigen::VectorXd& sums = weights[d][static_cast<std::size_t>(index[d])];
+      for (std::size_t q = 0; q < static_cast<std::size_t>(span.weights.size()); ++q)
+        sums(static_cast<Eigen::Index>(q / stride) % n) += span.weights(static_cast<Eigen::Index>(q));
+    }
+  }
+  for (int d = 0; d < Dim; ++d) degree = std::max(degree, basis.direction(d).degree());
+  if (n <= degree) return shares;
+  const QuadratureRule rule = gaussLegendre(n);
+  for (std::size_t d = 0; d < shares.size(); ++d)
+    shares[d] = univariateSharesByItself(basis.direction(static_cast<int>(d)), rule.points, weights[d]);
   return shares;
 }
 
@@ -101,20 +154,20 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
     spans_.push_back(std::move(span));
   }
 
+  Eigen::VectorXd parameters;
   for (std::size_t e = 0; e < spans_.size(); ++e) {
     Span& span = spans_[e];
     const auto& weights = quadrature.spans()[e].weights;
     const Eigen::MatrixXd weighted = span.N * weights.asDiagonal();
     span.averaged = (span.N * weights).cwiseQuotient(integrals(span.functions));
+    if (parameters.size() != weights.size()) parameters = parameterWeights<Dim>(weights.size());
+    const Eigen::VectorXd stretch = weights.cwiseQuotient(parameters);
+    span.isUneven = stretch.maxCoeff() > kUneven * stretch.minCoeff();
     span.L = span.averaged.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
   }
-  const double numPoints = static_cast<double>(quadrature.spans().front().weights.size());
-  const QuadratureRule rule = gaussLegendre(static_cast<int>(std::lround(std::pow(numPoints, 1.0 / Dim))));
-  for (const auto& patch : body.patches) {
-    auto& shares = univariateShares_.emplace_back();
-    for (int d = 0; d < Dim; ++d)
-      shares[static_cast<std::size_t>(d)] = univariateSharesByItself(patch.basis().direction(d), rule);
-  }
+  for (const auto& patch : body.patches)
+    directionShares_.push_back(
+        sharesOfPatch<Dim>(patch.basis(), static_cast<int>(std::ssize(directionShares_)), quadrature));
   workedOn_.resize(spans_.size());
   std::iota(workedOn_.begin(), workedOn_.end(), 0);
   own_ = workedOn_;
@@ -124,8 +177,10 @@ template <int Dim>
 Eigen::MatrixXd DilatationProjection<Dim>::sharesByItself(std::size_t e) const {
   constexpr double kRounding = 1e-12;
   const Span& span = spans_[e];
-  if ((span.averaged.array() > 1.0 - kRounding).all()) return span.L;
-  const auto& ofPatch = univariateShares_[static_cast<std::size_t>(span.patch)];
+  const auto& ofPatch = directionShares_[static_cast<std::size_t>(span.patch)];
+  const bool isAlone = (span.averaged.array() > 1.0 - kRounding).all();
+  if (isAlone || span.isUneven || ofPatch.front().empty())
+    return span.averaged.cwiseInverse().asDiagonal() * span.L;
   Eigen::MatrixXd shares = Eigen::MatrixXd::Ones(1, 1);
   for (std::size_t d = 0; d < ofPatch.size(); ++d)
     shares = Eigen::kroneckerProduct(ofPatch[d][static_cast<std::size_t>(span.index[d])], shares).eval();

@@ -27,7 +27,11 @@ class DilatationProjection {
     Eigen::MatrixXd N;                         ///< m x Q values
     Eigen::MatrixXd L;         ///< m x Q: share of the span's point values in the coefficients
     Eigen::VectorXd averaged;  ///< m: weight of the span in the average that a coefficient is
+    bool isUneven = false;     ///< the map from parameters to space is nearly singular at its border
   };
+
+  /// `sharesByItself` of univariate bases, by direction and span of that: functions x points.
+  using DirectionShares = std::array<std::vector<Eigen::MatrixXd>, static_cast<std::size_t>(Dim)>;
 
   /// The quadrature must have been made from the same body.
   DilatationProjection(const Body<Dim>& body, const SpanQuadrature<Dim>& quadrature);
@@ -37,7 +41,9 @@ class DilatationProjection {
   /// What stands for Π's coefficients where a span is looked at by itself: m x Q shares of its point values. Averages
   /// reach beyond the span; in each direction these are the functionals of the span's own values that are nearest to
   /// them: as sums over the coefficients of the body's functions, those of the span alone with the least change for which
-  /// polynomials that are in Π's space keep their coefficients. Where no other span has a part they are L.
+  /// polynomials that are in Π's space keep their coefficients. They are the span's own least-squares fit where no other
+  /// span has a part, on uneven spans, whose polynomials say little beyond them, and with no more points per direction than the
+  /// degree.
   Eigen::MatrixXd sharesByItself(std::size_t span) const;
   int numFunctions() const { return numFunctions_; }
 
@@ -66,8 +72,7 @@ class DilatationProjection {
 
  private:
   std::vector<Span> spans_;
-  /// `sharesByItself` in one direction, by patch, direction and span of that: functions x points.
-  std::vector<std::array<std::vector<Eigen::MatrixXd>, static_cast<std::size_t>(Dim)>> univariateShares_;
+  std::vector<DirectionShares> directionShares_;  ///< of each patch
   int numFunctions_ = 0;
   const Team* team_ = &alone();
   std::vector<int> workedOn_, own_;

@@ -333,8 +333,11 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
   for (int i = 0; mayGoTooFar && i < system_.numUnknowns(); ++i)
     mayGoTooFar = !system_.isPrescribed(i) || correction(i) == 0.0;
   const double workAtStart = mayGoTooFar ? work() : 0.0;
-  // Half of the way leads away from both states.
-  double s = before > kNearTheEnd * options_.tolerance && goesToAndFro(report.history) ? 0.5 : 1.0;
+  double s = 1.0;
+  if (before > kNearTheEnd * options_.tolerance && goesToAndFro(report.history)) {
+    s = 0.5;  // leads away from both states
+    ++report.backtracks;
+  }
   for (int halvings = 0;; ++halvings, s *= 0.5) {
     if (goTo(s)) {
       if (workAtStart < 0.0) {
