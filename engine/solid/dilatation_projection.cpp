@@ -16,14 +16,18 @@ namespace {
 /// Where the volume per parameters changes by so much within a span, as beside a face that is collapsed to a point.
 constexpr double kUneven = 30.0;
 
-/// Weights of as many points of a span in its parameters, up to a factor.
+/// Of a span's tensor-product rule.
 template <int Dim>
-Eigen::VectorXd parameterWeights(Eigen::Index numPoints) {
-  const auto n = static_cast<int>(std::lround(std::pow(static_cast<double>(numPoints), 1.0 / Dim)));
-  const Eigen::VectorXd ofDirection = gaussLegendre(n).weights;
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(1);
-  for (int d = 0; d < Dim; ++d) weights = (weights * ofDirection.transpose()).reshaped().eval();
-  return weights;
+int pointsPerDirection(const typename SpanQuadrature<Dim>::Span& span) {
+  return static_cast<int>(std::lround(std::pow(static_cast<double>(span.weights.size()), 1.0 / Dim)));
+}
+
+template <int Dim>
+bool isUneven(const TensorBasis<Dim>& basis, const typename SpanQuadrature<Dim>::Span& span) {
+  const auto inParameters = spanRule(basis, span.number, pointsPerDirection<Dim>(span)).weights;
+  const Eigen::VectorXd stretch =
+      span.weights.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(inParameters.data(), span.weights.size()));
+  return stretch.maxCoeff() > kUneven * stretch.minCoeff();
 }
 
 /// A span of a univariate basis of degree p, with n points, n > p.
@@ -106,8 +110,7 @@ typename DilatationProjection<Dim>::DirectionShares sharesOfPatch(const TensorBa
   for (const auto& span : quadrature.spans()) {
     if (span.patch != patch) continue;
     const auto index = basis.spanIndex(span.number);
-    if (n == 0)
-      n = static_cast<int>(std::lround(std::pow(static_cast<double>(span.weights.size()), 1.0 / Dim)));
+    n = pointsPerDirection<Dim>(span);
     for (std::size_t d = 0, stride = 1; d < weights.size(); ++d, stride *= static_cast<std::size_t>(n)) {
       if (weights[d].empty())
         weights[d].assign(static_cast<std::size_t>(basis.direction(static_cast<int>(d)).numSpans()),
@@ -154,20 +157,18 @@ DilatationProjection<Dim>::DilatationProjection(const Body<Dim>& body,
     spans_.push_back(std::move(span));
   }
 
-  Eigen::VectorXd parameters;
   for (std::size_t e = 0; e < spans_.size(); ++e) {
     Span& span = spans_[e];
     const auto& weights = quadrature.spans()[e].weights;
     const Eigen::MatrixXd weighted = span.N * weights.asDiagonal();
     span.averaged = (span.N * weights).cwiseQuotient(integrals(span.functions));
-    if (parameters.size() != weights.size()) parameters = parameterWeights<Dim>(weights.size());
-    const Eigen::VectorXd stretch = weights.cwiseQuotient(parameters);
-    span.isUneven = stretch.maxCoeff() > kUneven * stretch.minCoeff();
+    span.isUneven =
+        isUneven(body.patches[static_cast<std::size_t>(span.patch)].basis(), quadrature.spans()[e]);
     span.L = span.averaged.asDiagonal() * (weighted * span.N.transpose()).ldlt().solve(weighted);
   }
-  for (const auto& patch : body.patches)
+  for (std::size_t patch = 0; patch < body.patches.size(); ++patch)
     directionShares_.push_back(
-        sharesOfPatch<Dim>(patch.basis(), static_cast<int>(std::ssize(directionShares_)), quadrature));
+        sharesOfPatch(body.patches[patch].basis(), static_cast<int>(patch), quadrature));
   workedOn_.resize(spans_.size());
   std::iota(workedOn_.begin(), workedOn_.end(), 0);
   own_ = workedOn_;
