@@ -17,7 +17,7 @@ using test::block;
 using test::disc;
 using test::freeTool;
 
-struct Case {
+struct ContactCase {
   Enforcement enforcement;
   BasisFamily family;
   int degree;
@@ -26,7 +26,7 @@ struct Case {
   ContactTerm<2>::Options options() const { return {enforcement, 10.0, {}, gapLimit}; }
 };
 
-class ContactTangent : public testing::TestWithParam<Case> {};
+class ContactTangent : public testing::TestWithParam<ContactCase> {};
 
 TEST_P(ContactTangent, AgreesWithCentralDifferences) {
   const Body<2> body = block(GetParam().degree, GetParam().family);
@@ -44,7 +44,7 @@ struct BlockUnderFreeDisc {
   ContactTerm<2> term;
   Eigen::VectorXd x;
 
-  explicit BlockUnderFreeDisc(const Case& c)
+  explicit BlockUnderFreeDisc(const ContactCase& c)
       : body(block(c.degree, c.family)),
         tool(freeTool(disc(), 2 * body.numNodes)),
         term(body, 0, faceFromName<2>("top"), tool, c.options(),
@@ -137,15 +137,15 @@ TEST(FreeTool, StaysInTouchWithTheNearestFunction) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ContactTangent,
-    testing::Values(Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2},
-                    Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 3},
-                    Case{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2},
-                    Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 2},
-                    Case{Enforcement::MortarPenalty, BasisFamily::Lagrange, 4},
-                    Case{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2, 0.05},
-                    Case{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2, 0.05},
-                    Case{Enforcement::MortarPenalty, BasisFamily::BSpline, 4, 0.05},
-                    Case{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
+    testing::Values(ContactCase{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2},
+                    ContactCase{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 3},
+                    ContactCase{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2},
+                    ContactCase{Enforcement::MortarPenalty, BasisFamily::BSpline, 2},
+                    ContactCase{Enforcement::MortarPenalty, BasisFamily::Lagrange, 4},
+                    ContactCase{Enforcement::AugmentedLagrangian, BasisFamily::BSpline, 2, 0.05},
+                    ContactCase{Enforcement::AugmentedLagrangian, BasisFamily::Lagrange, 2, 0.05},
+                    ContactCase{Enforcement::MortarPenalty, BasisFamily::BSpline, 4, 0.05},
+                    ContactCase{Enforcement::PointwisePenalty, BasisFamily::BSpline, 2}));
 
 TEST(LimitedGap, IsInFullUpToTheLimitAndTwiceTheLimitBeyondThreeOfIt) {
   const double c = 0.02;

@@ -13,7 +13,8 @@
 namespace burnish {
 namespace {
 
-constexpr FaceId kBottom = 2, kTop = 3;
+using test::kBottom;
+using test::kTop;
 
 /// A block whose bottom is the slave over one whose top is the master, with common numbers of nodes.
 template <int Dim>
@@ -312,7 +313,7 @@ Body<2> jaws(BasisFamily family) {
   return makeBody(Patch<2>(polar.basis(), std::move(points), polar.weights()));
 }
 
-constexpr FaceId kInner = 0;
+using test::kInner;
 
 /// The inner face of the jaws and its partners on itself.
 struct Jaws {

@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-struct Case {
+struct FrictionCase {
   double mu = 0.0;  ///< rough if zero
   BasisFamily family = BasisFamily::BSpline;
   int degree = 2;
@@ -39,7 +39,7 @@ struct Case {
 };
 
 template <int Dim>
-Tool movedTool(Tool tool, const Case& c, int firstUnknown) {
+Tool movedTool(Tool tool, const FrictionCase& c, int firstUnknown) {
   if (c.spins) {
     tool.pivot = tool.shape.middle();
     tool.turnLength = 0.3;
@@ -79,7 +79,7 @@ struct Rubbed {
   FaceContact<Dim>& term;
   Eigen::VectorXd x;
 
-  Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const Case& c)
+  Rubbed(Body<Dim> itsBody, FaceId face, const Tool& itsTool, const FrictionCase& c)
       : body(std::move(itsBody)),
         first(Dim * body.numNodes + (c.spins     ? 6
                                      : c.follows ? 2
@@ -98,7 +98,7 @@ struct Rubbed {
   }
 };
 
-Rubbed<2> rubbedBlock(const Case& c) {
+Rubbed<2> rubbedBlock(const FrictionCase& c) {
   const Patch<2> shape = rectangle({0.0, 0.0}, {1.0, 0.5});
   Body<2> body =
       c.family == BasisFamily::BSpline
@@ -110,14 +110,14 @@ Rubbed<2> rubbedBlock(const Case& c) {
           Tool{"disc", Cylinder{{0.4, 0.5 + 0.24, 0.0}, Eigen::Vector3d::UnitZ(), 0.3}}, c};
 }
 
-Rubbed<3> rubbedBox(const Case& c) {
+Rubbed<3> rubbedBox(const FrictionCase& c) {
   return {
       makeBody(refined(box({0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}),
                        {KnotVector::uniform(2, 3), KnotVector::uniform(2, 3), KnotVector::uniform(1, 1)})),
       faceFromName<3>("front"), Tool{"ball", Sphere{{0.45, 0.55, 0.5 + 0.7}, 0.8}}, c};
 }
 
-class Friction : public testing::TestWithParam<Case> {};
+class Friction : public testing::TestWithParam<FrictionCase> {};
 
 TEST_P(Friction, TangentAgreesWithCentralDifferences) {
   Rubbed rubbed = rubbedBlock(GetParam());
@@ -130,27 +130,28 @@ TEST_P(Friction, TangentAgreesWithCentralDifferences) {
   EXPECT_GT(count(0), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Friction,
-                         testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 5.0},
-                                         Case{.mu = 0.1, .degree = 3},
-                                         Case{.mu = 0.1, .family = BasisFamily::Lagrange},
-                                         Case{.mu = 0.1, .axisymmetric = true}, Case{.axisymmetric = true},
-                                         Case{.mu = 0.1, .isFree = true}, Case{.isFree = true},
-                                         Case{.mu = 0.1, .shearLimit = 0.05},
-                                         Case{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"},
-                                         Case{.mu = 0.1, .axisymmetric = true, .law = "0.02*p^(-1/3)"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, Friction,
+    testing::Values(FrictionCase{}, FrictionCase{.mu = 0.1}, FrictionCase{.mu = 5.0},
+                    FrictionCase{.mu = 0.1, .degree = 3},
+                    FrictionCase{.mu = 0.1, .family = BasisFamily::Lagrange},
+                    FrictionCase{.mu = 0.1, .axisymmetric = true}, FrictionCase{.axisymmetric = true},
+                    FrictionCase{.mu = 0.1, .isFree = true}, FrictionCase{.isFree = true},
+                    FrictionCase{.mu = 0.1, .shearLimit = 0.05},
+                    FrictionCase{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"},
+                    FrictionCase{.mu = 0.1, .axisymmetric = true, .law = "0.02*p^(-1/3)"}));
 
 /// Stick, slip, rings, free tools and laws of methods that average gaps, and of penalties.
-std::vector<Case> casesOf(Enforcement method) {
-  std::vector<Case> cases{Case{},
-                          Case{.mu = 0.1},
-                          Case{.mu = 5.0},
-                          Case{.mu = 0.1, .axisymmetric = true},
-                          Case{.mu = 0.02, .isFree = true},
-                          Case{.isFree = true},
-                          Case{.mu = 0.1, .shearLimit = 0.05},
-                          Case{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"}};
-  for (Case& c : cases) c.method = method;
+std::vector<FrictionCase> casesOf(Enforcement method) {
+  std::vector<FrictionCase> cases{FrictionCase{},
+                                  FrictionCase{.mu = 0.1},
+                                  FrictionCase{.mu = 5.0},
+                                  FrictionCase{.mu = 0.1, .axisymmetric = true},
+                                  FrictionCase{.mu = 0.02, .isFree = true},
+                                  FrictionCase{.isFree = true},
+                                  FrictionCase{.mu = 0.1, .shearLimit = 0.05},
+                                  FrictionCase{.mu = 0.1, .law = "0.01 + 0.05*exp(-p) + 0.02*X*t"}};
+  for (FrictionCase& c : cases) c.method = method;
   return cases;
 }
 
@@ -159,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(MortarPenalty, Friction, testing::ValuesIn(casesOf(Enfo
 INSTANTIATE_TEST_SUITE_P(PointwisePenalty, Friction,
                          testing::ValuesIn(casesOf(Enforcement::PointwisePenalty)));
 
-class FrictionInSpace : public testing::TestWithParam<Case> {};
+class FrictionInSpace : public testing::TestWithParam<FrictionCase> {};
 
 TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
   Rubbed rubbed = rubbedBox(GetParam());
@@ -170,8 +171,10 @@ TEST_P(FrictionInSpace, TangentAgreesWithCentralDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FrictionInSpace,
-                         testing::Values(Case{}, Case{.mu = 0.1}, Case{.mu = 0.1, .isFree = true},
-                                         Case{.isFree = true}, Case{.mu = 0.1, .law = "0.1*p/(1 + p)"}));
+                         testing::Values(FrictionCase{}, FrictionCase{.mu = 0.1},
+                                         FrictionCase{.mu = 0.1, .isFree = true},
+                                         FrictionCase{.isFree = true},
+                                         FrictionCase{.mu = 0.1, .law = "0.1*p/(1 + p)"}));
 INSTANTIATE_TEST_SUITE_P(Mortar, FrictionInSpace,
                          testing::ValuesIn(casesOf(Enforcement::AugmentedLagrangian)));
 INSTANTIATE_TEST_SUITE_P(MortarPenalty, FrictionInSpace,
@@ -180,8 +183,8 @@ INSTANTIATE_TEST_SUITE_P(PointwisePenalty, FrictionInSpace,
                          testing::ValuesIn(casesOf(Enforcement::PointwisePenalty)));
 
 /// A ball that spins, of the method.
-std::vector<Case> spinning() {
-  std::vector<Case> cases;
+std::vector<FrictionCase> spinning() {
+  std::vector<FrictionCase> cases;
   for (const auto& [name, method] : EnumNames<Enforcement>::values)
     for (const double mu : {0.0, 0.1, 5.0}) cases.push_back({.mu = mu, .method = method, .spins = true});
   return cases;
@@ -190,8 +193,8 @@ std::vector<Case> spinning() {
 INSTANTIATE_TEST_SUITE_P(Spinning, FrictionInSpace, testing::ValuesIn(spinning()));
 
 /// A tool that follows a surface, of the method.
-std::vector<Case> following() {
-  std::vector<Case> cases;
+std::vector<FrictionCase> following() {
+  std::vector<FrictionCase> cases;
   for (const auto& [name, method] : EnumNames<Enforcement>::values)
     for (const double mu : {0.0, 0.1}) cases.push_back({.mu = mu, .method = method, .follows = true});
   return cases;
@@ -201,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(Following, Friction, testing::ValuesIn(following()));
 INSTANTIATE_TEST_SUITE_P(Following, FrictionInSpace, testing::ValuesIn(following()));
 
 TEST(FrictionOnAToolThatFollows, ItsEquationsAreItsForceAlongTheNormalAndItsMoment) {
-  for (const Case& c : following()) {
+  for (const FrictionCase& c : following()) {
     Rubbed rubbed = rubbedBox(c);
     const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
     const ContactState& state = rubbed.term.state();
@@ -244,7 +247,7 @@ TEST(FrictionOnASpinningBall, ThatAllOfItsContactTurnsOneWayFindsTheTurnThatEnds
 }
 
 TEST(FrictionOnASpinningBall, ItsEquationsAreItsMoments) {
-  for (const Case& c : spinning()) {
+  for (const FrictionCase& c : spinning()) {
     Rubbed rubbed = rubbedBox(c);
     const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
     const ContactState& state = rubbed.term.state();

@@ -29,7 +29,7 @@ std::vector<bool> noneHeld(int unknowns) {
   return std::vector<bool>(static_cast<std::size_t>(unknowns), false);
 }
 
-struct Case {
+struct IntegralCase {
   BasisFamily family;
   int degree;
   bool axisymmetric = false;
@@ -44,7 +44,7 @@ struct Pressed {
   IntegralContactTerm<2> term;
   Eigen::VectorXd x;
 
-  Pressed(const Case& c, bool isFree)
+  Pressed(const IntegralCase& c, bool isFree)
       : body(block(c.degree, c.family, c.axisymmetric)),
         first(2 * body.numNodes + (isFree ? static_cast<int>(kToolDofs) : 0)),
         tool(isFree ? freeTool(disc(), 2 * body.numNodes) : disc()),
@@ -55,7 +55,7 @@ struct Pressed {
   }
 };
 
-class IntegralContact : public testing::TestWithParam<Case> {};
+class IntegralContact : public testing::TestWithParam<IntegralCase> {};
 
 TEST_P(IntegralContact, TangentAgreesWithCentralDifferencesAndIsSymmetric) {
   for (const bool isFree : {false, true}) {
@@ -96,11 +96,12 @@ TEST_P(IntegralContact, ReactionAndMomentAreTheForcesOnTheFreeTool) {
   EXPECT_GT(std::abs(state.moment.z()), 1e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, IntegralContact,
-                         testing::Values(Case{BasisFamily::BSpline, 2}, Case{BasisFamily::BSpline, 3},
-                                         Case{BasisFamily::BSpline, 4}, Case{BasisFamily::Lagrange, 2},
-                                         Case{BasisFamily::Lagrange, 4}, Case{BasisFamily::BSpline, 2, true},
-                                         Case{BasisFamily::Lagrange, 2, true}));
+INSTANTIATE_TEST_SUITE_P(
+    All, IntegralContact,
+    testing::Values(IntegralCase{BasisFamily::BSpline, 2}, IntegralCase{BasisFamily::BSpline, 3},
+                    IntegralCase{BasisFamily::BSpline, 4}, IntegralCase{BasisFamily::Lagrange, 2},
+                    IntegralCase{BasisFamily::Lagrange, 4}, IntegralCase{BasisFamily::BSpline, 2, true},
+                    IntegralCase{BasisFamily::Lagrange, 2, true}));
 
 TEST(IntegralContactInThreeDimensions, TangentAgreesWithCentralDifferences) {
   const Body<3> body =

@@ -11,7 +11,9 @@
 namespace burnish {
 namespace {
 
-constexpr FaceId kRight = 1, kTop = 3, kFront = 5;
+using test::kFront;
+using test::kRight;
+using test::kTop;
 
 const auto kAny = [](const auto&) { return true; };
 

@@ -19,7 +19,10 @@
 namespace burnish {
 namespace {
 
-constexpr FaceId kRight = 1, kBottom = 2, kTop = 3, kFront = 5;
+using test::kBottom;
+using test::kFront;
+using test::kRight;
+using test::kTop;
 
 template <int Dim>
 Eigen::Vector<double, Dim> randomPoint(std::mt19937& random, double low, double high) {

@@ -15,7 +15,9 @@
 namespace burnish {
 namespace {
 
-constexpr FaceId kRight = 1, kTop = 3, kFront = 5;
+using test::kFront;
+using test::kRight;
+using test::kTop;
 
 /// A slave point of three functions before a master surface, over the unknowns of the slave, then the body.
 template <int Dim>
@@ -178,14 +180,14 @@ std::optional<Scene<Dim>> sceneAt(Where where, BasisFamily family, int degree, u
   return scene;
 }
 
-struct Case {
+struct RowsCase {
   Where where;
   BasisFamily family;
   int degree;
 };
 
 template <int Dim>
-void forEachScene(const Case& c, int count, const std::function<void(Scene<Dim>&)>& check) {
+void forEachScene(const RowsCase& c, int count, const std::function<void(Scene<Dim>&)>& check) {
   int found = 0;
   for (unsigned seed = 1; found < count && seed < 400; ++seed) {
     auto scene = sceneAt<Dim>(c.where, c.family, c.degree, seed);
@@ -244,7 +246,7 @@ void expectBalance(Scene<Dim>& scene) {
   EXPECT_LT((turn - answer.foot.gap * n.cross(t)).norm(), 1e-13 * sizeOfTurn);
 }
 
-class PairRowsAt : public testing::TestWithParam<Case> {
+class PairRowsAt : public testing::TestWithParam<RowsCase> {
  protected:
   static bool isInPlane() {
     return GetParam().where != Where::Line && GetParam().where != Where::RoundedCrossing;
@@ -348,16 +350,16 @@ TEST(CarriedFrame, StaysAcrossTheNormalAndTurnsWithIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Feet, PairRowsAt,
-                         testing::Values(Case{Where::Inside, BasisFamily::BSpline, 2},
-                                         Case{Where::Inside, BasisFamily::BSpline, 3},
-                                         Case{Where::Line, BasisFamily::BSpline, 1},
-                                         Case{Where::Line, BasisFamily::Lagrange, 2},
-                                         Case{Where::Corner, BasisFamily::BSpline, 1},
-                                         Case{Where::Corner, BasisFamily::Lagrange, 2},
-                                         Case{Where::Rounded, BasisFamily::BSpline, 1},
-                                         Case{Where::Rounded, BasisFamily::Lagrange, 2},
-                                         Case{Where::RoundedCrossing, BasisFamily::BSpline, 1},
-                                         Case{Where::RoundedCrossing, BasisFamily::Lagrange, 2}));
+                         testing::Values(RowsCase{Where::Inside, BasisFamily::BSpline, 2},
+                                         RowsCase{Where::Inside, BasisFamily::BSpline, 3},
+                                         RowsCase{Where::Line, BasisFamily::BSpline, 1},
+                                         RowsCase{Where::Line, BasisFamily::Lagrange, 2},
+                                         RowsCase{Where::Corner, BasisFamily::BSpline, 1},
+                                         RowsCase{Where::Corner, BasisFamily::Lagrange, 2},
+                                         RowsCase{Where::Rounded, BasisFamily::BSpline, 1},
+                                         RowsCase{Where::Rounded, BasisFamily::Lagrange, 2},
+                                         RowsCase{Where::RoundedCrossing, BasisFamily::BSpline, 1},
+                                         RowsCase{Where::RoundedCrossing, BasisFamily::Lagrange, 2}));
 
 }  // namespace
 }  // namespace burnish

@@ -10,7 +10,8 @@
 namespace burnish {
 namespace {
 
-constexpr FaceId kBottom = 2, kTop = 3;
+using test::kBottom;
+using test::kTop;
 
 Patch<2> sheet(BasisFamily family, int degree, int spans, const Eigen::Vector2d& origin, double width) {
   const Patch<2> plain = rectangle(origin, {width, 1.0});

@@ -37,7 +37,7 @@ Body<2> jaws(int degree, BasisFamily family, const Eigen::Vector2d& at = {3.0, 0
   return makeBody(Patch<2>(polar.basis(), std::move(points), std::move(weights)));
 }
 
-constexpr FaceId kInner = 0;
+using test::kInner;
 
 /// Contact of a face of the body's only patch with itself; multipliers follow the displacements.
 MortarContactTerm<2> selfContact(const Body<2>& body, FaceId face, ContactOptions options = {}) {
@@ -50,7 +50,7 @@ MortarContactTerm<2> selfContact(const Body<2>& body, FaceId face, ContactOption
   return {body, 0, face, makePartner, options, 2 * body.numNodes};
 }
 
-struct Case {
+struct SelfContactCase {
   BasisFamily family;
   int degree;
   bool axisymmetric = false;
@@ -67,12 +67,12 @@ struct Case {
 };
 
 /// The jaws in a random state near the reference, with multipliers that press wherever there are partners.
-struct Pressed {
+struct PressedTogether {
   Body<2> body;
   MortarContactTerm<2> term;
   Eigen::VectorXd x;
 
-  explicit Pressed(const Case& c)
+  explicit PressedTogether(const SelfContactCase& c)
       : body([&] {
           Body<2> made = jaws(c.degree, c.family, c.at);
           made.axisymmetric = c.axisymmetric;
@@ -92,23 +92,23 @@ struct Pressed {
 };
 
 /// Most gaps count in part.
-const Case kLimited{BasisFamily::BSpline, 2, false, {3.0, 0.0}, 0.7};
+const SelfContactCase kLimited{BasisFamily::BSpline, 2, false, {3.0, 0.0}, 0.7};
 
-const std::vector<Case> kFrictionless{{BasisFamily::BSpline, 2},
-                                      {BasisFamily::BSpline, 3},
-                                      {BasisFamily::BSpline, 4},
-                                      {BasisFamily::Lagrange, 1},
-                                      {BasisFamily::Lagrange, 2},
-                                      {BasisFamily::BSpline, 2, true},
-                                      {BasisFamily::Lagrange, 2, true},
-                                      kLimited,
-                                      {BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}};
+const std::vector<SelfContactCase> kFrictionless{{BasisFamily::BSpline, 2},
+                                                 {BasisFamily::BSpline, 3},
+                                                 {BasisFamily::BSpline, 4},
+                                                 {BasisFamily::Lagrange, 1},
+                                                 {BasisFamily::Lagrange, 2},
+                                                 {BasisFamily::BSpline, 2, true},
+                                                 {BasisFamily::Lagrange, 2, true},
+                                                 kLimited,
+                                                 {BasisFamily::Lagrange, 2, true, {3.0, 0.0}, 0.7}};
 
-class SelfContact : public testing::TestWithParam<Case> {};
-class FrictionlessSelfContact : public testing::TestWithParam<Case> {};
+class SelfContact : public testing::TestWithParam<SelfContactCase> {};
+class FrictionlessSelfContact : public testing::TestWithParam<SelfContactCase> {};
 
 TEST_P(SelfContact, TangentAgreesWithCentralDifferencesAndIsSymmetricWithoutFriction) {
-  Pressed pressed(GetParam());
+  PressedTogether pressed(GetParam());
   EXPECT_LT(test::tangentError(pressed.term, 0.0, pressed.x, 1e-6), 1e-6);
   const ContactState& state = pressed.term.state();
   EXPECT_GT(state.numActive(), 3);
@@ -121,7 +121,7 @@ TEST_P(SelfContact, TangentAgreesWithCentralDifferencesAndIsSymmetricWithoutFric
 }
 
 TEST_P(SelfContact, ForcesAreInBalance) {
-  Pressed pressed(GetParam());
+  PressedTogether pressed(GetParam());
   const Eigen::VectorXd force = test::forceOf(pressed.term, 0.0, pressed.x);
   const Eigen::Index n = pressed.body.numNodes;
   const Eigen::Matrix2Xd forces = force.head(2 * n).reshaped(2, n);
@@ -135,7 +135,7 @@ TEST_P(SelfContact, ForcesAreInBalance) {
 }
 
 TEST_P(FrictionlessSelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
-  Pressed pressed(GetParam());
+  PressedTogether pressed(GetParam());
   const auto energy = [&](const Eigen::VectorXd& x) {
     static_cast<void>(test::forceOf(pressed.term, 0.0, x));
     const ContactState& state = pressed.term.state();
@@ -161,8 +161,9 @@ TEST_P(FrictionlessSelfContact, ForcesAreTheDerivativeOfTheAveragedGaps) {
 INSTANTIATE_TEST_SUITE_P(Bases, FrictionlessSelfContact, testing::ValuesIn(kFrictionless));
 INSTANTIATE_TEST_SUITE_P(Bases, SelfContact, testing::ValuesIn(kFrictionless));
 INSTANTIATE_TEST_SUITE_P(Friction, SelfContact,
-                         testing::Values(Case{BasisFamily::BSpline, 2, false, {3.0, 0.0}, {}, 0.3},
-                                         Case{BasisFamily::BSpline, 3, true, {3.0, 0.0}, 0.7, 0.3}));
+                         testing::Values(SelfContactCase{BasisFamily::BSpline, 2, false, {3.0, 0.0}, {}, 0.3},
+                                         SelfContactCase{
+                                             BasisFamily::BSpline, 3, true, {3.0, 0.0}, 0.7, 0.3}));
 
 /// The jaws as wide as they are, of two spans, in space; degree 2.
 Body<3> wideJaws() {
@@ -291,7 +292,7 @@ TEST_P(SelfContactAboveAKink, TangentAgreesWithCentralDifferences) {
 INSTANTIATE_TEST_SUITE_P(GapLimits, SelfContactAboveAKink, testing::Values(std::nullopt, 0.4));
 
 TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
-  Pressed here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
+  PressedTogether here({BasisFamily::BSpline, 2}), there({BasisFamily::BSpline, 2, false, {3000.0, 1000.0}});
   static_cast<void>(test::forceOf(here.term, 0.0, here.x));
   bool admissible = false;
   static_cast<void>(test::forceOf(there.term, 0.0, there.x, &admissible));
@@ -308,9 +309,9 @@ TEST(SelfContactPartners, DoNotDependOnTheOrigin) {
 TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
   int full = 0, part = 0, open = 0;
   for (const double share : {0.7, 0.25}) {
-    Case limited = kLimited;
+    SelfContactCase limited = kLimited;
     limited.gapLimit = share;
-    Pressed pressed(limited);
+    PressedTogether pressed(limited);
     static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
     const ContactState& state = pressed.term.state();
     for (const auto& span : pressed.term.face().spans())
@@ -330,9 +331,9 @@ TEST(SelfContactPartners, OpenPlacesBearNoPressure) {
 
 // A function over open places only would have an empty row.
 TEST(SelfContactPartners, WhatIsOpenIsNotActive) {
-  Case narrow = kLimited;
+  SelfContactCase narrow = kLimited;
   narrow.gapLimit = 1e-3;
-  Pressed pressed(narrow);
+  PressedTogether pressed(narrow);
   static_cast<void>(test::forceOf(pressed.term, 0.0, pressed.x));
   EXPECT_EQ(pressed.term.state().numActive(), 0);
 }

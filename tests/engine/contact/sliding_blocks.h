@@ -12,8 +12,6 @@ namespace burnish::test {
 /// A block whose bottom is the slave over one whose top is the master, numbered together; multipliers follow.
 template <int Dim>
 struct Blocks {
-  static constexpr FaceId kBottom = 2, kTop = 3;
-
   Body<Dim> upper, lower;
   int numDisplacements;
   std::unique_ptr<FaceContact<Dim>> term;

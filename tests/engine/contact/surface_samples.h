@@ -11,6 +11,9 @@
 
 namespace burnish::test {
 
+/// Faces of a patch, as `faceFromName` numbers them; `kInner`: of a ring, "left".
+inline constexpr FaceId kInner = 0, kRight = 1, kBottom = 2, kTop = 3, kFront = 5;
+
 template <int Dim>
 struct Sample {
   SurfacePlace<Dim> place;

@@ -29,7 +29,7 @@ HistoryMeasure reduced(Reduction reduce, std::optional<std::array<double, 2>> ra
   return measure;
 }
 
-DifferenceMeasure difference(std::optional<double> tolerance = {}, const std::string& other = {}) {
+DifferenceMeasure toCompare(std::optional<double> tolerance = {}, const std::string& other = {}) {
   DifferenceMeasure measure;
   measure.other = other;
   measure.y = "value";
@@ -104,14 +104,14 @@ TEST(HistoryMeasure, LeavesRowsOut) {
 TEST(DifferenceMeasure, IsAPartOfTheOthersLargestValue) {
   const HistoryTable base = historyOf([](double t) { return 2.0 - t; }, 2.0);
   const HistoryTable bent = historyOf([](double t) { return 2.0 - t + 0.1 * std::max(0.0, t - 1.0); }, 2.0);
-  const Measured measured = compareHistories(bent, {}, base, {}, difference());
+  const Measured measured = compareHistories(bent, {}, base, {}, toCompare());
   EXPECT_THAT(measured.value, Optional(DoubleNear(0.05, 1e-12)));
 }
 
 TEST(DifferenceMeasure, FindsWhereCurvesPart) {
   const HistoryTable base = historyOf([](double t) { return 2.0 - t; }, 2.0);
   const HistoryTable bent = historyOf([](double t) { return 2.0 - t + 0.1 * std::max(0.0, t - 1.0); }, 2.0);
-  DifferenceMeasure measure = difference(0.0375);  // 0.075 = 0.1 (t - 1) at t = 1.75
+  DifferenceMeasure measure = toCompare(0.0375);  // 0.075 = 0.1 (t - 1) at t = 1.75
   EXPECT_THAT(compareHistories(bent, {}, base, {}, measure).value, Optional(DoubleNear(1.75, 1e-9)));
   measure.tolerance = 0.06;
   EXPECT_EQ(compareHistories(bent, {}, base, {}, measure).value, std::nullopt);
@@ -120,7 +120,7 @@ TEST(DifferenceMeasure, FindsWhereCurvesPart) {
 TEST(DifferenceMeasure, APartingBeforeTheStopCounts) {
   const HistoryTable base = historyOf([](double t) { return 2.0 - t; }, 2.0);
   const HistoryTable bent = historyOf([](double t) { return 2.0 - t + 0.1 * std::max(0.0, t - 1.0); }, 1.5);
-  DifferenceMeasure measure = difference(0.02);
+  DifferenceMeasure measure = toCompare(0.02);
   EXPECT_THAT(compareHistories(bent, 1.5, base, {}, measure).value, Optional(DoubleNear(1.4, 1e-9)));
   measure.tolerance.reset();
   EXPECT_EQ(compareHistories(bent, 1.5, base, {}, measure).note, "stopped at t = 1.5");
@@ -209,7 +209,7 @@ TEST(EvaluateMeasure, ReadsTheResultsOfARun) {
   EXPECT_THAT(value(0, {"l", "L", LineMeasure{.field = "plastic_strain", .time = 1.0}}).value,
               Optional(DoubleNear(0.5, 1e-9)));
   EXPECT_THAT(value(0, {"c", "C", ConvergenceMeasure{}}).value, Optional(DoubleNear(2.0, 1e-9)));
-  const DifferenceMeasure toFine = difference({}, "{basis}-fine");
+  const DifferenceMeasure toFine = toCompare({}, "{basis}-fine");
   EXPECT_THAT(value(0, {"d", "D", toFine}).value, Optional(DoubleNear(1.25 / (1 + 4.0 / 256) - 1, 1e-9)));
   EXPECT_THROW(value(0, {"n", "N", SummaryMeasure{"iteratons"}}), Error);
   EXPECT_THROW(value(0, {"l", "L", LineMeasure{.field = "plastic_strain", .time = 0.7}}), Error);
