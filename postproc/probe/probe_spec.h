@@ -49,6 +49,15 @@ void describeDepth(Visitor& v, ProbeSpec& s, const Rule& ofPlace) {
           "Plastic strain below which metal does not count as hardened, in the numbers of a depth profile.");
 }
 
+/// How deep a depth profile's values see.
+template <class Visitor>
+void describePenetration(Visitor& v, ProbeSpec& s) {
+  v.field(
+      "penetration", s.penetration, {.above = 0, .unit = "length"},
+      "What X-rays with this depth of penetration tell at each depth, once all above it has been taken away: "
+      "means of what lies deeper with the weight exp(-depth/penetration).");
+}
+
 /// ofFields: rule of the names of fields.
 template <class Visitor>
 void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
@@ -77,10 +86,7 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
           "Points at equal distances; those where the path leaves a body are added.");
   v.field("window", s.window, {.above = 0, .unit = "length"},
           "Mean values of a window of this width along the path instead of values at points.");
-  v.field(
-      "penetration", s.penetration, {.above = 0, .unit = "length"},
-      "What X-rays with this depth of penetration tell at each depth, once all above it has been taken away: "
-      "means of what lies deeper with the weight exp(-depth/penetration).");
+  describePenetration(v, s);
   v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
 }
 

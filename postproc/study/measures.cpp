@@ -72,7 +72,8 @@ Measured compareProfiles(const RunData& own, const RunData& other, const Profile
   double scale = 0.0;
   for (const double y : profiles[1].y) scale = std::max(scale, std::abs(y));
   if (scale == 0.0) return {{}, "the other run is zero everywhere"};
-  const auto largest = largestDifference(profiles[0], profiles[1]);
+  const auto largest =
+      largestDifference(measure.range ? restricted(profiles[0], *measure.range) : profiles[0], profiles[1]);
   return largest ? Measured{*largest / scale, {}} : Measured{{}, "no common depth"};
 }
 

@@ -111,7 +111,10 @@ void describe(Visitor& v, ProfileMeasure& s) {
   describeProfile(v, s.place);
   v.field("field", s.place.fields, {.required = true, .choices = profileFieldNames()},
           "One field, of the profile.");
+  describePenetration(v, s.place);
   v.field("other", s.other, {.required = true}, "Name of the run to compare with, braces filled in.");
+  v.field("range", s.range, {.increasing = true, .unit = "length"},
+          "Smallest and largest depth that is compared; everything when left out.");
   describeTime(v, s.time);
 }
 

@@ -73,11 +73,12 @@ struct SectionMeasure {
   std::optional<double> time;
 };
 
-/// How far a depth profile of a field is from that of another run at the same time: the largest |difference| as a part
-/// of the other's largest magnitude.
+/// How far a depth profile of a field is from that of another run at the same time: the largest |difference|, of depths in a
+/// range, as a part of the other's largest magnitude at any depth.
 struct ProfileMeasure {
   ProbeSpec place;  ///< with one field
   std::string other;
+  std::optional<std::array<double, 2>> range;  ///< all depths when left out
   std::optional<double> time;
 };
 

@@ -255,7 +255,18 @@ TEST(EvaluateMeasure, ReadsDepthsProfilesAndRoughness) {
               Optional(DoubleNear(7.0 * value(1, SectionMeasure{section.plane, {}, "area", {}}).value.value(),
                                   1e-9)));
   place.fields = {"plastic_strain"};
-  EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, {}}).value,
+  EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, {}, {}}).value,
+              Optional(DoubleNear((2.0 - 1.25) / 1.25, 1e-6)));
+  // Of the lower half, where strains are a quarter and less, as a part of the whole profile's peak.
+  const std::array<double, 2> lowerHalf{0.425, 0.85};
+  EXPECT_THAT(value(0, ProfileMeasure{place, study.runs[1].name, lowerHalf, {}}).value,
+              Optional(DoubleNear(0.25 * (2.0 - 1.25) / 1.25, 1e-6)));
+  EXPECT_EQ(value(0, ProfileMeasure{place, study.runs[1].name, std::array{1.0, 2.0}, {}}).note,
+            "no common depth");
+  // X-rays that penetrate far see means of all that lies deeper, of either run.
+  ProbeSpec byRays = place;
+  byRays.penetration = 0.1;
+  EXPECT_THAT(value(0, ProfileMeasure{byRays, study.runs[1].name, {}, {}}).value,
               Optional(DoubleNear((2.0 - 1.25) / 1.25, 1e-6)));
 }
 
