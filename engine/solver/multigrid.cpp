@@ -78,6 +78,7 @@ class MultigridOrDirect final : public LinearSolver {
     archive.field("set_ups", now.setUps);
     archive.field("fallbacks", now.fallbacks);
     archive.field("indefinite", indefinite);
+    archive.field("without_factors", isWithoutFactors_);
     archive.part("multigrid", *multigrid_);
     if (!archive.restores()) return;
     before_ = now;
@@ -104,12 +105,12 @@ class MultigridOrDirect final : public LinearSolver {
   bool fallBack() {
     if (!fitsDirect()) return false;
     if (!direct_) direct_ = std::make_unique<DirectSolver>(problem_.leading, problem_.kind);
-    ++fallbacks_;
     try {
       isDirect_ = direct_->factorise(*A_);
     } catch (const std::bad_alloc&) {
       doWithoutFactors();
     }
+    if (isDirect_) ++fallbacks_;
     return isDirect_;
   }
 
