@@ -11,4 +11,7 @@ struct ArrayName {
 /// `stress [MPa]` as name and unit.
 ArrayName arrayNameOf(const std::string& text);
 
+/// A name of a file as one can give it: a line of letters, without the commas that part the names of a list.
+std::string typedName(const std::string& text);
+
 }  // namespace burnish

@@ -52,6 +52,7 @@
 #include "engine/core/lower_case.h"
 #include "engine/core/quoted.h"
 #include "postproc/foreign/announced_counts.h"
+#include "postproc/foreign/array_names.h"
 #include "postproc/foreign/check_grid.h"
 #include "postproc/foreign/foreign_formats.h"
 #include "postproc/foreign/foreign_source.h"
@@ -177,7 +178,7 @@ void addBlocks(std::vector<ForeignBlock>& blocks, vtkDataObject* object, const s
     addBlocks(blocks, tree->GetBlock(k),
               isGroup       ? name
               : own.empty() ? fmt::format("block {}", blocks.size())
-                            : own,
+                            : typedName(own),
               file);
   }
 }
@@ -358,9 +359,9 @@ class CollectionSource : public ForeignSource {
     std::vector<ForeignBlock> all;
     for (const Entry& entry : entries_.at(instant))
       for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
-        all.push_back({block.name.empty()   ? entry.name
-                       : entry.name.empty() ? block.name
-                                            : entry.name + ", " + block.name,
+        all.push_back({entry.name.empty()   ? block.name
+                       : block.name.empty() ? typedName(entry.name)
+                                            : typedName(entry.name + " " + block.name),
                        block.grid});
     return all;
   }

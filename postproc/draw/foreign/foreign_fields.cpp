@@ -8,23 +8,28 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "engine/core/lower_case.h"
 #include "engine/core/nearest.h"
+#include "engine/core/quoted.h"
+#include "engine/core/shown_text.h"
 #include "postproc/foreign/array_names.h"
 
 namespace burnish {
 namespace {
 
-/// As the file names them, else as VTK orders vectors and tensors.
+/// As the file names them, where names differ, else as VTK orders vectors and tensors.
 std::vector<std::string> componentsOfArray(vtkDataArray& array) {
   const int count = array.GetNumberOfComponents();
   if (count == 1) return {};
   std::vector<std::string> names;
   for (int k = 0; k < count && array.GetComponentName(k); ++k)
-    names.push_back(inLowerCase(array.GetComponentName(k)));
-  if (static_cast<int>(names.size()) == count) return names;
+    names.push_back(inLowerCase(typedName(array.GetComponentName(k))));
+  if (static_cast<int>(std::set(names.begin(), names.end()).size()) == count) return names;
   if (count == 2) return {"x", "y"};
   if (count == 3) return {"x", "y", "z"};
   if (count == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"};
@@ -32,32 +37,6 @@ std::vector<std::string> componentsOfArray(vtkDataArray& array) {
   names.clear();
   for (int k = 0; k < count; ++k) names.push_back(std::to_string(k));
   return names;
-}
-
-void addFieldsOf(std::vector<ForeignField>& fields, vtkDataSetAttributes& data, bool ofCells) {
-  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
-    vtkDataArray& array = *data.GetArray(k);
-    const std::string own = array.GetName();
-    const auto isSame = [&](const ForeignField& field) {
-      return field.array == own && field.ofCells == ofCells;
-    };
-    // What belongs to the cells themselves.
-    const bool isOfVtk = own == "vtkGhostType" || own.starts_with("vtkOriginal") ||
-                         own == "RationalWeights" || own == "HigherOrderDegrees";
-    if (isOfVtk || std::ranges::any_of(fields, isSame)) continue;
-    auto [name, unit] = arrayNameOf(own);
-    if (std::ranges::count(fields, name, &ForeignField::name) > 0)
-      name = (ofCells ? "cells." : "points.") + name;
-    fields.push_back({own, name, unit, ofCells, componentsOfArray(array)});
-  }
-}
-
-vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
-  vtkDataSetAttributes* data = block.grid->GetPointData();
-  if (field.ofCells) data = block.grid->GetCellData();
-  vtkDataArray* array = data->GetArray(field.array.c_str());
-  const auto count = std::max<std::size_t>(1, field.components.size());
-  return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
 }
 
 /// Whether a name without a component means something.
@@ -69,12 +48,75 @@ std::string componentName(const ForeignField& field, std::size_t component) {
   return field.name + "." + field.components[component];
 }
 
+/// By what a field and its components are called.
+std::vector<std::string> namesOf(const ForeignField& field) {
+  std::vector<std::string> names;
+  if (hasOwn(field)) names.push_back(field.name);
+  for (std::size_t k = 0; k < field.components.size(); ++k) names.push_back(componentName(field, k));
+  return names;
+}
+
+std::string numberedName(const ForeignField& field, std::size_t component) {
+  return fmt::format("{}.{}", field.name, component);
+}
+
+/// Which component of a field a name means, -1 for the field itself.
+std::optional<int> componentCalled(const ForeignField& field, const std::string& name) {
+  if (hasOwn(field) && (name == field.name || name == field.array)) return -1;
+  for (const auto called : {componentName, numberedName})
+    for (std::size_t k = 0; k < field.components.size(); ++k)
+      if (name == called(field, k)) return static_cast<int>(k);
+  return std::nullopt;
+}
+
+/// Gives a field a name by which no field before it is found. taken: by what those are.
+void nameApart(ForeignField& field, std::set<std::string>& taken) {
+  const auto isTaken = [&] {
+    return std::ranges::any_of(namesOf(field), [&](const std::string& name) { return taken.contains(name); });
+  };
+  if (isTaken()) field.name = (field.ofCells ? "cells." : "points.") + field.name;
+  const std::string first = field.name;
+  for (int k = 2; isTaken(); ++k) field.name = fmt::format("{}_{}", first, k);
+  std::ranges::copy(namesOf(field), std::inserter(taken, taken.end()));
+  for (std::size_t k = 0; k < field.components.size(); ++k) taken.insert(numberedName(field, k));
+  if (hasOwn(field)) taken.insert(field.array);
+}
+
+void addFieldsOf(std::vector<ForeignField>& fields, std::set<std::string>& taken, vtkDataSetAttributes& data,
+                 bool ofCells) {
+  for (int k = 0; k < data.GetNumberOfArrays(); ++k) {
+    vtkDataArray& array = *data.GetArray(k);
+    const std::string own = array.GetName();
+    const auto isSame = [&](const ForeignField& field) {
+      return field.array == own && field.ofCells == ofCells;
+    };
+    // What belongs to the cells themselves.
+    const bool isOfVtk = own == "vtkGhostType" || own.starts_with("vtkOriginal") ||
+                         own == "RationalWeights" || own == "HigherOrderDegrees";
+    if (isOfVtk || std::ranges::any_of(fields, isSame)) continue;
+    const auto [name, unit] = arrayNameOf(own);
+    ForeignField field{own, typedName(name), forMessage(unit, kLongestName), ofCells,
+                       componentsOfArray(array)};
+    nameApart(field, taken);
+    fields.push_back(std::move(field));
+  }
+}
+
+vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
+  vtkDataSetAttributes* data = block.grid->GetPointData();
+  if (field.ofCells) data = block.grid->GetCellData();
+  vtkDataArray* array = data->GetArray(field.array.c_str());
+  const auto count = std::max<std::size_t>(1, field.components.size());
+  return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
+}
+
 }  // namespace
 
 std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks) {
   std::vector<ForeignField> fields;
-  for (const ForeignBlock& block : blocks) addFieldsOf(fields, *block.grid->GetPointData(), false);
-  for (const ForeignBlock& block : blocks) addFieldsOf(fields, *block.grid->GetCellData(), true);
+  std::set<std::string> taken;
+  for (const ForeignBlock& block : blocks) addFieldsOf(fields, taken, *block.grid->GetPointData(), false);
+  for (const ForeignBlock& block : blocks) addFieldsOf(fields, taken, *block.grid->GetCellData(), true);
   return fields;
 }
 
@@ -100,12 +142,9 @@ double ForeignChoice::signInMirror(int axis) const {
 
 std::optional<ForeignChoice> findForeignField(const std::vector<ForeignField>& fields,
                                               const std::string& name) {
-  for (const ForeignField& field : fields) {
-    if (hasOwn(field) && (name == field.name || name == field.array)) return ForeignChoice{field, -1};
-    for (std::size_t k = 0; k < field.components.size(); ++k)
-      if (name == componentName(field, k) || name == fmt::format("{}.{}", field.name, k))
-        return ForeignChoice{field, static_cast<int>(k)};
-  }
+  for (const std::string& word : {name, typedName(name)})
+    for (const ForeignField& field : fields)
+      if (const auto component = componentCalled(field, word)) return ForeignChoice{field, *component};
   return std::nullopt;
 }
 
@@ -113,11 +152,8 @@ ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const 
                                  const std::string& where) {
   if (const auto found = findForeignField(fields, name)) return *found;
   std::vector<std::string> names;
-  for (const ForeignField& field : fields) {
-    if (hasOwn(field)) names.push_back(field.name);
-    for (std::size_t k = 0; k < field.components.size(); ++k) names.push_back(componentName(field, k));
-  }
-  throw Error(fmt::format("field: found \"{}\"; {} has {}.{}", name, where,
+  for (const ForeignField& field : fields) std::ranges::copy(namesOf(field), std::back_inserter(names));
+  throw Error(fmt::format("field: found {}; {} has {}.{}", quoted(name), where,
                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                           didYouMean(name, names)));
 }
@@ -136,7 +172,7 @@ std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks,
   for (const ForeignBlock& block : blocks) all.push_back(block.name);
   for (const std::string& name : names)
     if (std::ranges::count(all, name) == 0)
-      throw Error(fmt::format("body: found \"{}\"; the file has {}.{}", name, fmt::join(all, ", "),
+      throw Error(fmt::format("body: found {}; the file has {}.{}", quoted(name), fmt::join(all, ", "),
                               didYouMean(name, all)));
   std::erase_if(blocks, [&](const auto& block) { return std::ranges::count(names, block.name) == 0; });
   return blocks;

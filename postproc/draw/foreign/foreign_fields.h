@@ -12,7 +12,8 @@ namespace burnish {
 /// An array of numbers that one or several blocks have at their points, or in their cells.
 struct ForeignField {
   std::string array;  ///< its name in the file
-  std::string name;   ///< without the unit; `cells.NAME` if there are points with the name, too
+  std::string
+      name;  ///< without unit, commas and what no line shows; `cells.NAME` or `points.NAME_2` if it is taken
   std::string unit;
   bool ofCells = false;
   std::vector<std::string> components;  ///< x, xx, 0, ...; none of a scalar

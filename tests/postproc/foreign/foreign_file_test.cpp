@@ -35,6 +35,7 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 fs::path sampleOf(const std::string& name) {
@@ -132,6 +133,32 @@ TEST_F(ForeignFiles, WhatTheReaderSaysStandsInTheSentence) {
   EXPECT_THAT(
       messageOf([&] { ForeignFile(dir_ / "narrow.vtk").blocks(0); }),
       HasSubstr("it announces 1 cells and holds 0; its reader says: Unsupported data type: vtktypeint32"));
+}
+
+TEST(ForeignFields, HaveNamesOfTheirOwnThatOneCanGive) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  const auto add = [](vtkDataSetAttributes& data, const char* name, int components = 1) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    data.AddArray(array);
+  };
+  for (const char* name : {"a [m]", "a [mm]", "a [s]", "S, Mises [MPa]", "line\nbreak", "caf\xE9"})
+    add(*grid->GetPointData(), name);
+  add(*grid->GetPointData(), "u", 3);
+  add(*grid->GetPointData(), "u.x");
+  for (const char* name : {"a [m]", "u"}) add(*grid->GetCellData(), name);
+  const auto fields = foreignFieldsOf({{"", grid.Get()}});
+  std::vector<std::string> names;
+  for (const ForeignField& field : fields) names.push_back(field.name);
+  EXPECT_THAT(names, ElementsAre("a", "points.a", "points.a_2", "S Mises", "line\\nbreak", "caf\\xE9", "u",
+                                 "points.u.x", "cells.a", "cells.u"));
+  for (const ForeignField& field : fields)
+    EXPECT_EQ(chooseForeignField(fields, field.name).field.array, field.array);
+  EXPECT_EQ(chooseForeignField(fields, "S, Mises").field.name, "S Mises");
+  EXPECT_EQ(chooseForeignField(fields, "S, Mises [MPa]").field.unit, "MPa");
+  EXPECT_EQ(chooseForeignField(fields, "points.a_2").field.unit, "s");
+  EXPECT_EQ(chooseForeignField(fields, "u.x").component, 0);
 }
 
 TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {
