@@ -142,6 +142,11 @@ TEST_F(ForeignCommand, ThresholdLeavesAPart) {
       << head << "POINT_DATA 8\nSCALARS x double 1\nLOOKUP_TABLE default\n0 1 2 3 0 1 2 3\n";
   std::ofstream(dir_ / "cells.vtk") << head
                                     << "CELL_DATA 3\nSCALARS x double 1\nLOOKUP_TABLE default\n1 5 3\n";
+  std::ofstream(dir_ / "curved.vtk")  // between whose points x² is no straight line
+      << "# vtk DataFile Version 3.0\nrow\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 9 double\n"
+         "0 0 0 3 0 0 3 1 0 0 1 0 1.5 0 0 3 .5 0 1.5 1 0 0 .5 0 1.5 .5 0\nCELLS 1 10\n9 0 1 2 3 4 5 6 7 8\n"
+         "CELL_TYPES 1\n28\nPOINT_DATA 9\nSCALARS x double 1\nLOOKUP_TABLE default\n"
+         "0 9 9 0 2.25 9 2.25 0 2.25\n";
   const auto colored = [&](const std::string& options) {
     const auto drawn =
         burnish("render " + options + " --field x --size 800,300 --no-knots --title '' -o a.png");
@@ -160,6 +165,7 @@ TEST_F(ForeignCommand, ThresholdLeavesAPart) {
   EXPECT_NEAR(colored("points.vtk --threshold 0.75,2.25") - scale, whole / 2.0, 4.0);
   EXPECT_NEAR(colored("points.vtk --threshold 2.1,") - scale, 0.3 * whole, 4.0);
   EXPECT_NEAR(colored("cells.vtk --threshold 2,6") - scale, 2.0 * whole / 3.0, 4.0);
+  EXPECT_NEAR(colored("curved.vtk --threshold 1,") - scale, 2.0 * whole / 3.0, 12.0);  // between eight parts
   const auto named = burnish("render points.vtk --threshold von_mises=1,2 -o a.png");
   EXPECT_EQ(named.code, 2);
   EXPECT_THAT(named.err,

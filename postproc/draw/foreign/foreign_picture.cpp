@@ -29,6 +29,7 @@
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_surface.h"
+#include "postproc/draw/foreign/linear_parts.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/mesh/middle_triangles.h"
 #include "postproc/mesh/plane_section.h"
@@ -252,8 +253,7 @@ class SubjectMaker {
   /// What has the values: the cells, or of curved ones the parts that are drawn, since coefficients at their points
   /// need be no values.
   static vtkSmartPointer<vtkPointSet> placesOf(vtkUnstructuredGrid& cells) {
-    for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell)
-      if (!cells.GetCell(cell)->IsLinear()) return outerFaces(cells);
+    if (hasCurved(cells)) return outerFaces(cells);
     return &cells;
   }
 
@@ -345,6 +345,12 @@ class SubjectMaker {
     if (choice_->field.ofCells) {
       chosen.with = cellsBetween(*cells.with, ends);
     } else {
+      if (hasCurved(*cells.with)) {
+        vtkDataArray& drawn = *cells.with->GetPointData()->GetArray("drawn");
+        Eigen::VectorXd values(drawn.GetNumberOfTuples());
+        for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
+        chosen.with = linearParts(*cells.with, values, ends);
+      }
       chosen.with = cutAt(chosen.with, ends[0], false);
       chosen.with = cutAt(chosen.with, ends[1], true);
     }
@@ -438,10 +444,18 @@ class SubjectMaker {
       if (*lines) *lines = behind(**lines, *parts.plane);
   }
 
+  static Grid linearPartsAt(vtkUnstructuredGrid& cells, const CutPlane& plane) {
+    Eigen::VectorXd heights(cells.GetNumberOfPoints());
+    for (vtkIdType k = 0; k < heights.size(); ++k)
+      heights(k) = plane.normal.dot(Eigen::Map<const Eigen::Vector3d>(cells.GetPoint(k)) - plane.point);
+    return linearParts(cells, heights, {0.0, 0.0});
+  }
+
   static Faces sectionWith(vtkUnstructuredGrid& cells, const CutPlane& plane) {
     const auto polygons = Faces::New();
     if (cells.GetNumberOfCells() == 0) return polygons;
-    const Faces section = sectionOf(cells, plane);
+    const Faces section =
+        hasCurved(cells) ? sectionOf(*linearPartsAt(cells, plane), plane) : sectionOf(cells, plane);
     if (section->GetNumberOfPolys() == 0) return polygons;
     const Faces drawn = trianglesAboutMiddles(*withDrawnScalars(*section));
     polygons->SetPoints(drawn->GetPoints());

@@ -21,13 +21,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "postproc/draw/foreign/copied_cell.h"
 #include "postproc/mesh/poly_builder.h"
 
 namespace burnish {
 namespace {
 
 constexpr double kSamePlace = 1e-8;  // of the diagonal
-constexpr int kCurvedParts = 3;      // halvings of the faces of curved cells
 
 /// Numbers places; points nearer than `kSamePlace` have one number, but for rare neighbours.
 class Places {
@@ -87,20 +87,7 @@ class CellCollector {
   }
 
   void add(vtkUnstructuredGrid& grid, vtkIdType cell) {
-    vtkNew<vtkIdList> ids;
-    vtkIdType added = 0;
-    if (grid.GetCellType(cell) == VTK_POLYHEDRON) {
-      grid.GetFaceStream(cell, ids);
-      vtkIdType at = 1;
-      for (vtkIdType face = 0; face < ids->GetId(0); ++face)
-        for (vtkIdType last = at + ids->GetId(at) + 1; ++at < last;)
-          ids->SetId(at, pointOf(grid, ids->GetId(at)));
-      added = cells_->InsertNextCell(VTK_POLYHEDRON, ids);
-    } else {
-      grid.GetCellPoints(cell, ids);
-      for (vtkIdType& id : *ids) id = pointOf(grid, id);
-      added = cells_->InsertNextCell(grid.GetCellType(cell), ids);
-    }
+    const vtkIdType added = copyCell(grid, cell, *cells_, [&](vtkIdType id) { return pointOf(grid, id); });
     cells_->GetCellData()->CopyData(grid.GetCellData(), cell, added);
   }
 
@@ -261,7 +248,8 @@ vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces) {
 
 vtkSmartPointer<vtkPolyData> cellEdges(vtkPolyData& faces) {
   constexpr vtkIdType kBetween = -1, kInside = -2;  // two cells; a face of one cell, or two of its faces
-  vtkDataArray& cellOf = *faces.GetCellData()->GetArray("vtkOriginalCellIds");
+  vtkDataArray* curved = faces.GetCellData()->GetArray("cell");  // of which the cells are parts
+  vtkDataArray& cellOf = curved ? *curved : *faces.GetCellData()->GetArray("vtkOriginalCellIds");
   std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> edges;  // the cell of the faces at both sides
   vtkNew<vtkIdList> ids;
   for (vtkIdType face = 0; face < faces.GetNumberOfCells(); ++face) {

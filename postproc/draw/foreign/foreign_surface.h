@@ -11,6 +11,9 @@
 /// Cells of other programs as pictures need them. What is drawn is an array `drawn` of points or of cells.
 namespace burnish {
 
+/// How often the faces of curved cells are halved along each parameter.
+inline constexpr int kCurvedParts = 3;
+
 /// The cells of several grids that can be seen: volumes, and faces that are no faces of these. Points at the same
 /// place are one, so that what is inside is found, but for those of two grids whose values differ; where values differ
 /// within a grid, as between discontinuous elements, the place has the first one.
@@ -30,7 +33,7 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells);
 /// The polygons of faces with `drawn` as point scalars: those of cells have points of their own, with one value.
 vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces);
 
-/// The edges of cells that are seen on the outer faces.
+/// The edges of cells that are seen on the outer faces; of linear parts those of the curved cells.
 vtkSmartPointer<vtkPolyData> cellEdges(vtkPolyData& faces);
 
 }  // namespace burnish

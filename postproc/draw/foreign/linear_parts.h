@@ -1,0 +1,21 @@
+#pragma once
+#include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <Eigen/Dense>
+#include <array>
+
+/// Curved cells as linear ones, for what VTK does with linear cells alone: it cuts through the points of curved ones,
+/// which may be far from the cell, as may be what stands at them from its values.
+namespace burnish {
+
+/// Whether some of the cells are curved.
+bool hasCurved(vtkUnstructuredGrid& cells);
+
+/// The cells where a function may have values between two ends, with linear parts instead of curved ones. Parts have
+/// the places and all values that their cell has there, and its number in the cell data `cell`; those that meet share
+/// their points as the cells do. of: the function at the points of the grid.
+vtkSmartPointer<vtkUnstructuredGrid> linearParts(vtkUnstructuredGrid& cells, const Eigen::VectorXd& of,
+                                                 const std::array<double, 2>& ends);
+
+}  // namespace burnish
