@@ -69,11 +69,14 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
   const int exponent = makeTicks(scale_.range(), kMostTicks).exponent;
   unit_ = unitText(exponent, texts.unit);
   title_.insert(title_.end(), unit_.begin(), unit_.end());
-  const double power = std::pow(10.0, exponent);
-  const double extent = scale_.range()[1] - scale_.range()[0], slack = kRoundOff * extent;
+  const double slack = kRoundOff * (scale_.range()[1] - scale_.range()[0]);
   using Extremes = std::array<double, 2>;
+  const Extremes own{texts.smallest, texts.largest};
   const auto text = [&](const std::string& before, double value, const Extremes& of) {
     if (std::isnan(of[0])) return RichText{};
+    // Other ranges have other powers of ten.
+    const std::array<double, 2> range = even_ && of != own ? widened(of) : scale_.range();
+    const double extent = range[1] - range[0], power = std::pow(10.0, makeTicks(range, kMostTicks).exponent);
     // No digits that cannot be seen.
     const double spread = of[1] - of[0], seen = isOneValue(of) ? extent : std::min(spread, extent);
     const double smallestStep = std::pow(10.0, std::floor(std::log10(kVisible * seen)));
@@ -84,7 +87,6 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
     const int needed = areAlike ? order - decimalExponent(smallestStep) : kEndDigits;
     return RichText{{before + numberText(rounded / power, std::max(kEndDigits, needed))}};
   };
-  const Extremes own{texts.smallest, texts.largest};
   std::vector<Extremes> all = texts.together;
   all.push_back(own);
   const auto endAt = [&](std::size_t k, const char* name, const char* sign, const char* beyond) {

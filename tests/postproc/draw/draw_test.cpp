@@ -220,6 +220,22 @@ TEST(ScalarBars, OfAFieldWithOneValueHaveThatValueAlone) {
               ElementsAre("0.00", "0.25", "0.50", "0.75", "1.00"));
 }
 
+/// Room for the numbers of other ranges is that for their numbers, not for these in the power of ten of one's own.
+TEST(ScalarBars, OtherRangesHaveTheirOwnPowersOfTen) {
+  const auto depth = [](const std::vector<std::array<double, 2>>& together) {
+    return ScalarBar(ColorScale("viridis", {0.0, 1e-19}, 0),
+                     {.title = {{"field"}},
+                      .unit = "",
+                      .smallest = 0.0,
+                      .largest = 1e-19,
+                      .together = together,
+                      .even = true},
+                     12.0, Theme{})
+        .depth(Overlay::Direction::Up, 200.0);
+  };
+  EXPECT_EQ(depth({{0.0, 1e-19}, {0.0, 0.1314}, {0.2, 0.2}, {0.0, 0.0}}), depth({}));
+}
+
 /// With as many digits as tell them from one another.
 TEST(ScalarBars, EndsOfNarrowRangesAreTold) {
   const auto ends = [](double smallest, double largest) {
