@@ -20,6 +20,8 @@
 #include "engine/schema/diagnostics.h"
 #include "engine/schema/yaml_tree.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/foreign/foreign_file.h"
 #include "postproc/foreign/foreign_source.h"
 #include "postproc/probe/probed_fields.h"
 #include "postproc/scene/scene_listing.h"
@@ -42,9 +44,18 @@ Candidates plain(const std::vector<std::string>& texts) {
   return out;
 }
 
-/// Of the result on the line; the last frame says what there is. Along faces and below them there are their own axes, too.
+/// Of a file of another program.
+std::vector<ForeignBlock> lastBlocks(const std::string& name) {
+  const ForeignFile file(name);
+  return file.blocks(file.times().empty() ? 0 : file.times().size() - 1);
+}
+
+/// Of the result or the file on the line; the last frame says what there is. Along faces and below them there are their
+/// own axes, too.
 Candidates fieldsOf(const GivenLine& line) {
-  const ResultReader result(line.argument(kResults));
+  const std::string given = line.argument(kResults);
+  if (!foreignKind(given).empty()) return plain(foreignFieldNames(foreignFieldsOf(lastBlocks(given))));
+  const ResultReader result(given);
   const FrameRecord frame = result.frame(result.numFrames() - 1);
   std::vector<std::string> names = fieldNames(frame);
   const bool hasAxes = !line.valueOf("--depth").empty() || !line.valueOf("--face").empty();
@@ -68,7 +79,9 @@ Candidates componentsOf(const GivenLine& line) {
 
 Candidates framesOf(const GivenLine& line) {
   Candidates out;
-  const std::vector<double> times = ResultReader(line.argument(kResults)).times();
+  const std::string given = line.argument(kResults);
+  const std::vector<double> times =
+      foreignKind(given).empty() ? ResultReader(given).times() : ForeignFile(given).times();
   for (std::size_t k = 0; k < times.size(); ++k) {
     out.push_back({std::to_string(k), fmt::format("t = {:.9g}", times[k])});
     out.push_back({fmt::format("time={:.9g}", times[k]), fmt::format("frame {}", k)});
@@ -77,7 +90,12 @@ Candidates framesOf(const GivenLine& line) {
 }
 
 Candidates bodiesOf(const GivenLine& line) {
-  return plain(ResultReader(line.argument(kResults)).model().bodies);
+  const std::string given = line.argument(kResults);
+  if (foreignKind(given).empty()) return plain(ResultReader(given).model().bodies);
+  std::vector<std::string> names;
+  for (const ForeignBlock& block : lastBlocks(given))
+    if (!block.name.empty()) names.push_back(block.name);
+  return plain(names);
 }
 
 Candidates columnsOf(const GivenLine& line) {

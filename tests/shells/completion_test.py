@@ -130,7 +130,7 @@ def candidates(program, place, *words):
     return [line.split("\t")[0] for line in printed.splitlines()]
 
 
-def check_candidates(program, place, failures):
+def check_candidates(program, place, samples, failures):
     """What no shell changes: lists."""
     def expect(words, wanted, absent=()):
         found = candidates(program, place, *words)
@@ -152,6 +152,12 @@ def check_candidates(program, place, failures):
     expect(["run", "press.yaml", "--set=contact[0].fri"], ["--set=contact[0].friction="])
     expect(["render", run, "--field", ""], ["displacement", "displacement.x", "von_mises", "stress.xx"], ["plastic_strain"])
     expect(["render", run, "--field=st"], ["--field=stress.xx"], ["--field=von_mises"])
+    other = str(samples / "fenicsx.pvd")
+    expect(["render", other, "--field", ""], ["displacement", "displacement.x"], ["von_mises"])
+    expect(["render", other, "--field", "displacement", "--component", ""], ["x", "magnitude"])
+    expect(["render", other, "--frame", ""], ["0", "2", "last"], ["3"])
+    expect(["probe", str(samples / "meshio.vtu"), "--field", "st"], ["stress.xx"], ["region"])
+    expect(["render", str(samples / "openfoam.vtm"), "--body", ""], ["internal"])
     expect(["probe", run, "--depth", "top@0.5", "--field", ""], ["stress.along", "stress.xx"], [])
     expect(["probe", run, "--field", ""], ["stress.xx"], ["stress.along"])
     expect(["render", run, "--field", "displacement", "--component", ""], ["x", "y", "magnitude"], ["xx"])
@@ -190,7 +196,7 @@ def main():
             (work / file).write_text(text)
         environment = {"PATH": f"{place / 'bin'}:{os.environ['PATH']}", "HOME": str(place / "home"), "LC_ALL": "C.UTF-8"}
         subprocess.run([program, "run", "press.yaml", "-o", "out/plate/run", "--quiet"], cwd=work, check=True, stderr=subprocess.DEVNULL)
-        check_candidates(program, work, failures)
+        check_candidates(program, work, source / "tests/postproc/foreign/samples", failures)
         begin = time.monotonic()
         for _ in range(10):
             candidates(program, work, "render", "out/plate/run", "--field", "")

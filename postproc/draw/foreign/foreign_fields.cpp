@@ -120,6 +120,12 @@ std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& block
   return fields;
 }
 
+std::vector<std::string> foreignFieldNames(const std::vector<ForeignField>& fields) {
+  std::vector<std::string> names;
+  for (const ForeignField& field : fields) std::ranges::copy(namesOf(field), std::back_inserter(names));
+  return names;
+}
+
 Eigen::VectorXd ForeignChoice::valuesOf(const ForeignBlock& block) const {
   vtkDataArray* array = arrayIn(block, field);
   if (!array) return {};
@@ -151,8 +157,7 @@ std::optional<ForeignChoice> findForeignField(const std::vector<ForeignField>& f
 ForeignChoice chooseForeignField(const std::vector<ForeignField>& fields, const std::string& name,
                                  const std::string& where) {
   if (const auto found = findForeignField(fields, name)) return *found;
-  std::vector<std::string> names;
-  for (const ForeignField& field : fields) std::ranges::copy(namesOf(field), std::back_inserter(names));
+  const std::vector<std::string> names = foreignFieldNames(fields);
   throw Error(fmt::format("field: found {}; {} has {}.{}", quoted(name), where,
                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                           didYouMean(name, names)));

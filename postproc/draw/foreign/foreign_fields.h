@@ -25,6 +25,9 @@ struct ForeignField {
 /// All fields, those of points first.
 std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks);
 
+/// All names by which these can be chosen.
+std::vector<std::string> foreignFieldNames(const std::vector<ForeignField>& fields);
+
 /// A field of which one component, or the length of a vector, is drawn.
 struct ForeignChoice {
   ForeignField field;
