@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import base64
+import glob
 import os
+import re
 import struct
 import tempfile
 import zlib
@@ -17,6 +19,7 @@ from . import command
 from .errors import Error
 from .results import Frame
 
+_PLACE = re.compile(r"\{(?:frame|time)(?::[^{}]*)?\}")  # of the number or the time in names of files
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
@@ -66,12 +69,13 @@ class Animation:
 
 
 def render(result: str | os.PathLike[str] | Frame, *, field: str | None = None, frame: int | str | None = None,
-           file: str | os.PathLike[str] | None = None, **options: Any) -> Picture:
+           file: str | os.PathLike[str] | None = None, **options: Any) -> Picture | Any:
     """Draws a contour picture of a frame: the last one, that of `frame` (a number, "last", "time=0.5"), or a `Frame` itself.
 
     options: those of `burnish render` with underscores, such as size=(800, 600), colormap="batlow", isolines=10, mirror="x",
-    tools=False. result may be a file of another program. With file the picture is written as well, also as .pdf or .svg. Throws
-    `Error` with what the command says.
+    tools=False. result may be a file of another program. With file the picture is written as well, also as .pdf or .svg; a name with
+    {frame} or {time} is that of several frames, as of frame="all", whose pictures are returned as a list. Throws `Error` with what
+    the command says.
 
     >>> import burnish
     >>> picture = burnish.render("out/press", field="von_mises", size=(400, 300), tools=False)
@@ -79,11 +83,14 @@ def render(result: str | os.PathLike[str] | Frame, *, field: str | None = None, 
     (<picture of 400 x 300 pixels>, (300, 400, 4))
     """
     of, options = _of_frame(result, {"frame": frame, "field": field, **options})
+    words = ["render", of, *command.options_of(options), "-o"]
     if file is not None:
-        command.call(["render", of, *command.options_of(options), "-o", os.fspath(file)])
+        printed = command.call([*words, os.fspath(file)]).decode("utf-8")
+        if _PLACE.search(os.fspath(file)):
+            return _series(words, os.fspath(file), printed)
         if Path(file).suffix == ".png":
             return Picture(Path(file).read_bytes())
-    return Picture(command.call(["render", of, *command.options_of(options), "-o", "-"]))
+    return Picture(command.call([*words, "-"]))
 
 
 def animate(result: str | os.PathLike[str], file: str | os.PathLike[str] | None = None, *, field: str | None = None,
@@ -96,6 +103,22 @@ def animate(result: str | os.PathLike[str], file: str | os.PathLike[str] | None 
         os.close(handle)
     command.call(["animate", os.fspath(result), *command.options_of({"field": field, **options}), "-o", os.fspath(file)])
     return Animation(file)
+
+
+def _series(words: list[str], file: str, printed: str) -> list[Picture]:
+    """The pictures that were drawn into files of this name, in the order of frames; those of pages for print are drawn once more.
+    printed: what the command said of them, which is nothing of a single one."""
+    if Path(file).suffix != ".png":
+        with tempfile.TemporaryDirectory(prefix="burnish-") as place:
+            command.call([*words, os.path.join(place, "{frame:09}.png")])
+            return [Picture(picture.read_bytes()) for picture in sorted(Path(place).iterdir())]
+    count = re.match(r"(\d+) pictures", printed)
+    name = re.compile("(.+?)".join(re.escape(part) for part in _PLACE.split(file)))
+    found = {other: place for other in glob.glob("*".join(glob.escape(part) for part in _PLACE.split(file)))
+             if (place := name.fullmatch(other))}
+    # There may be older ones of other frames.
+    drawn = sorted(found, key=lambda other: os.stat(other).st_mtime_ns)[-(int(count[1]) if count else 1):]
+    return [Picture(Path(picture).read_bytes()) for picture in sorted(drawn, key=lambda other: float(found[other][1]))]
 
 
 def _of_frame(result: str | os.PathLike[str] | Frame, options: dict[str, Any]) -> tuple[str, dict[str, Any]]:

@@ -32,6 +32,20 @@ def test_transparent_pictures_and_files(press, tmp_path):
     assert (tmp_path / "picture.pdf").read_bytes().startswith(b"%PDF")
 
 
+def test_several_frames_are_a_list(press, tmp_path):
+    last = len(press.frames) - 1
+    (tmp_path / "a_99.png").write_bytes(b"older")
+    pictures = burnish.render(press, frame="all", file=tmp_path / "a_{frame}.png", **SMALL)
+    assert [picture.png for picture in pictures] == [(tmp_path / f"a_{k}.png").read_bytes() for k in range(last + 1)]
+    assert pictures[0].png != pictures[last].png
+    again = burnish.render(press, frame="0-1", file=tmp_path / "a_{frame}.png", **SMALL)
+    assert [picture.png for picture in again] == [(tmp_path / f"a_{k}.png").read_bytes() for k in range(2)]
+    one, = burnish.render(press, frame=0, file=tmp_path / "b_{frame:03}_at_{time:.2f}.png", **SMALL)
+    assert one.png == (tmp_path / "b_000_at_0.00.png").read_bytes()
+    pages = burnish.render(press, frame="all", file=tmp_path / "c_{frame}.pdf")
+    assert len(pages) == last + 1 and (tmp_path / f"c_{last}.pdf").read_bytes().startswith(b"%PDF")
+
+
 @pytest.mark.parametrize("filtered", ["none", "sub", "up", "avg", "paeth"])
 def test_pixels_of_every_filter(press, tmp_path, filtered):
     """ffmpeg writes the same picture with every filter of PNG."""
