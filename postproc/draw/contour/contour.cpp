@@ -426,10 +426,13 @@ class ContourPicture {
     Overlay overlay(sketch);
     if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
     if (!layout.time.text.empty()) overlay.addText(layout.time.text, layout.timeAt, layout.time.style);
-    if (!layout.note.text.empty())
+    Eigen::Vector2d noteAt = layout.noteAt;
+    for (const FittedText& line : layout.note) {
       overlay.addText(
-          layout.note.text, layout.noteAt, layout.note.style,
+          line.text, noteAt, line.style,
           layout.barDirection == Overlay::Direction::Up ? Overlay::Anchor::End : Overlay::Anchor::Middle);
+      noteAt.y() -= layout.noteLine;
+    }
     if (!layout.doubt.text.empty()) overlay.addText(layout.doubt.text, layout.doubtAt, layout.doubt.style);
     FlatShapes shapes(sketch);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);

@@ -23,6 +23,7 @@ constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
+constexpr double kNoteLine = 1.35;                           // from line to line, of its own size
 constexpr double kPadding = 0.15;                            // keeps lines on the border of the content whole
 constexpr double kReadableUp = 5.0, kReadableAcross = 15.0;  // bars whose numbers stand apart
 
@@ -120,12 +121,36 @@ void arrangeWithBar(ContourLayout& layout, const PixelRect& room, const Eigen::V
                    (isUp ? room.height >= kReadableUp * size : room.width >= kReadableAcross * size);
 }
 
+/// One line, or two equally long ones where that would be cut off even in the smallest letters.
+std::vector<FittedText> noteLines(const std::string& text, const TextStyle& style, double width) {
+  const FittedText line = fitText({{text}}, style, width, kSmallestNote);
+  if (line.text.front().text == text) return {line};
+  const auto longer = [&](std::size_t blank) {
+    return std::max(textWidth({{text.substr(0, blank)}}, style),
+                    textWidth({{text.substr(blank + 1)}}, style));
+  };
+  std::size_t best = std::string::npos;
+  int brackets = 0;  // coordinates of a point stay together
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    brackets += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
+    if (text[k] != ' ' || brackets > 0) continue;
+    if (best == std::string::npos || longer(k) < longer(best)) best = k;
+  }
+  if (best == std::string::npos) return {line};
+  std::vector<FittedText> lines;
+  for (const std::string& part : {text.substr(0, best), text.substr(best + 1)})
+    lines.push_back(fitText({{part}}, style, width, kSmallestNote));
+  for (FittedText& part : lines) part.style.size = std::min(lines[0].style.size, lines[1].style.size);
+  return lines;
+}
+
 /// Below content and bar: under the right end of an upright bar, under the middle of one across.
 void placeNote(ContourLayout& layout, double size, double left) {
-  if (layout.note.text.empty()) return;
+  if (layout.note.empty()) return;
   const double baseline =
-      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.style);
-  const double length = textWidth(layout.note.text, layout.note.style);
+      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.front().style);
+  double length = 0.0;
+  for (const FittedText& line : layout.note) length = std::max(length, textWidth(line.text, line.style));
   layout.noteAt = layout.barDirection == Overlay::Direction::Up
                       ? Eigen::Vector2d(std::max(layout.bar.right(), left + length), baseline)
                       : Eigen::Vector2d(layout.bar.center().x(), baseline);
@@ -162,19 +187,23 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
 
   const double left = margin + (caption.triad ? kTriadRoom * size : 0.0);
   double bottom = margin;
-  const auto addSmallLine = [&](const std::string& text, bool hasRoom) {
-    const TextStyle style{kNoteSize * size, theme.softInk, theme.font};
-    FittedText line;
-    if (!text.empty()) line = fitText({{text}}, style, width - left - margin, kSmallestNote);
-    if (!text.empty() || hasRoom)
-      bottom += kNoteGap * size + capitalHeight(hasRoom ? style : line.style);  // of a long text smaller
-    return line;
+  const TextStyle small{kNoteSize * size, theme.softInk, theme.font};
+  const auto addSmallLine = [&](const TextStyle& style, bool hasRoom) {
+    bottom += kNoteGap * size + capitalHeight(hasRoom ? small : style);  // of a long text smaller
   };
   layout.doubtAt = {left, margin};
-  layout.doubt = addSmallLine(caption.doubt, caption.doubtRoom);
+  if (!caption.doubt.empty())
+    layout.doubt = fitText({{caption.doubt}}, small, width - left - margin, kSmallestNote);
+  if (!caption.doubt.empty() || caption.doubtRoom) addSmallLine(layout.doubt.style, caption.doubtRoom);
   layout.scaleBarAt = {left, bottom};
   if (caption.scaleBar) bottom += kScaleBarRoom * size;
-  layout.note = addSmallLine(caption.note, caption.noteRoom);
+  if (!caption.note.empty()) layout.note = noteLines(caption.note, small, width - left - margin);
+  if (!layout.note.empty() || caption.noteRoom)
+    addSmallLine(layout.note.empty() ? small : layout.note.front().style, caption.noteRoom);
+  if (layout.note.size() > 1) {
+    layout.noteLine = kNoteLine * layout.note.front().style.size;
+    bottom += layout.noteLine;
+  }
 
   layout.triadAt = {margin, margin};
   const PixelRect room{left, bottom, width - margin - left, top - bottom};

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/page/overlay.h"
@@ -16,12 +17,13 @@ double textSizeFor(const std::array<int, 2>& pictureSize);
 /// Where everything stands in a contour picture. Caption at the top left; the colour scale at the right or
 /// below, where it leaves more room for the body.
 struct ContourLayout {
-  FittedText title;  ///< empty text: none
-  FittedText time;   ///< empty text: none
-  FittedText note;   ///< empty text: none
-  FittedText doubt;  ///< empty text: none
+  FittedText title;              ///< empty text: none
+  FittedText time;               ///< empty text: none
+  FittedText doubt;              ///< empty text: none
+  std::vector<FittedText> note;  ///< its lines; two where one would be cut off
   Eigen::Vector2d titleAt, timeAt, doubtAt;
-  Eigen::Vector2d noteAt;  ///< end (bar upright) or middle (bar across) of its baseline
+  Eigen::Vector2d noteAt;  ///< end (bar upright) or middle (bar across) of its first baseline
+  double noteLine = 0.0;   ///< from its first baseline to the second
   PixelRect bar;           ///< of no size below the view without a colour scale
   Overlay::Direction barDirection;
   View view;

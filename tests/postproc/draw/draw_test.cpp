@@ -332,10 +332,33 @@ TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
   const std::string note(150, 'n');
   const ContourLayout plain = layOut({"Title", "t = 2", note});
   const ContourLayout marked = layOut({"Title", "t = 2", note, kDoubtMark});
-  EXPECT_EQ(marked.note.style.size, plain.note.style.size);
-  EXPECT_EQ(marked.note.text[0].text, plain.note.text[0].text);
+  ASSERT_EQ(marked.note.size(), 1U);
+  EXPECT_EQ(marked.note[0].style.size, plain.note[0].style.size);
+  EXPECT_EQ(marked.note[0].text[0].text, plain.note[0].text[0].text);
   EXPECT_GT(marked.noteAt.y(), marked.doubtAt.y() + capitalHeight(marked.doubt.style));
   EXPECT_EQ(marked.doubt.text[0].text, kDoubtMark);
+}
+
+TEST(ContourLayout, NotesThatAreTooLongForALineHaveTwo) {
+  const Theme theme;
+  const ScalarBar bar(ColorScale("viridis", {0.0, 1.0}, 0), {{{"field"}}, "", 0.0, 1.0}, 10.0, theme);
+  const auto layOut = [&](const std::string& note) {
+    return layOutContour({300, 300}, 10.0, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)},
+                         ViewAxes::Identity(), {"Title", "t = 2", note, kDoubtMark}, &bar, theme);
+  };
+  EXPECT_EQ(layOut("a short one").note.size(), 1U);
+  const std::string note =
+      "smallest value at (0.123, 4.567, 8.901), largest value at (2.345, 6.789, 0.123); section z = 0.25";
+  const ContourLayout layout = layOut(note);
+  ASSERT_EQ(layout.note.size(), 2U);
+  EXPECT_EQ(layout.note[0].text[0].text + " " + layout.note[1].text[0].text, note);
+  const std::string& first = layout.note[0].text[0].text;
+  EXPECT_EQ(std::ranges::count(first, '('), std::ranges::count(first, ')')) << first;
+  const TextStyle& style = layout.note[0].style;
+  EXPECT_EQ(style.size, layout.note[1].style.size);
+  EXPECT_GT(layout.noteLine, capitalHeight(style));
+  EXPECT_GT(layout.noteAt.y() - layout.noteLine, layout.doubtAt.y() + capitalHeight(layout.doubt.style));
+  EXPECT_LT(layout.noteAt.y() + capitalHeight(style), std::min(layout.view.area.y, layout.bar.y));
 }
 
 TEST(ContourLayout, WithoutAColourScaleTheBodyHasAllOfTheRoom) {
