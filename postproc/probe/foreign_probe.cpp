@@ -99,10 +99,13 @@ class ForeignCells {
   /// Those that are absent have no name.
   const std::vector<FieldChoice>& fields() const { return fields_; }
 
-  /// The place at a position: in the block of the place before if that has it.
-  std::optional<CellPlace> find(const Eigen::VectorXd& position, std::size_t nearBlock = 0) const {
+  /// The place at a position: in the block of the place before if that has it, and of cells that meet there in that place's
+  /// cell or the nearest one, so that a line along a border stays on one side.
+  std::optional<CellPlace> find(const Eigen::VectorXd& position,
+                                const std::optional<CellPlace>& before = {}) const {
+    const std::size_t first = before ? before->block : 0;
     for (std::size_t k = 0; k < blocks_.size(); ++k)
-      if (auto place = findIn((nearBlock + k) % blocks_.size(), position)) return place;
+      if (auto place = findIn((first + k) % blocks_.size(), position, before)) return place;
     return std::nullopt;
   }
 
@@ -145,14 +148,15 @@ class ForeignCells {
       throw Error(fmt::format("line: found {} twice; expected two points", pointText(line.begin)));
     requireNotTooLong("line", length);
     const Eigen::VectorXd direction = (line.end - line.begin) / length;
-    return {[this, begin = line.begin, direction, block = std::size_t{0}](double distance) mutable {
-              const Eigen::VectorXd position = begin + distance * direction;
-              const auto place = find(position, block);
-              if (!place) return outside(distance, position);
-              block = place->block;
-              return at(distance, *place);
-            },
-            length};
+    return {
+        [this, begin = line.begin, direction, before = std::optional<CellPlace>()](double distance) mutable {
+          const Eigen::VectorXd position = begin + distance * direction;
+          auto place = find(position, before);
+          if (!place) return outside(distance, position);
+          before = std::move(place);
+          return at(distance, *before);
+        },
+        length};
   }
 
   /// Of longer paths the borders of cells would be blurred.
@@ -209,8 +213,15 @@ class ForeignCells {
     return false;
   }
 
-  /// VTK's cells reach a thousandth beyond their faces, so that the one is taken in which a position lies best.
-  std::optional<CellPlace> findIn(std::size_t number, const Eigen::VectorXd& position) const {
+  static Eigen::Vector3d middleOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
+    Eigen::Matrix<double, 3, 2, Eigen::RowMajor> bounds;
+    grid.GetCellBounds(cell, bounds.data());
+    return bounds.rowwise().mean();
+  }
+
+  /// VTK's cells reach a thousandth beyond their faces, which is too far.
+  std::optional<CellPlace> findIn(std::size_t number, const Eigen::VectorXd& position,
+                                  const std::optional<CellPlace>& before) const {
     constexpr double kOutside = 1e-9;  // of the size: numbers of a position are rounded
     vtkUnstructuredGrid& grid = *blocks_[number].grid;
     if (grid.GetNumberOfCells() == 0) return std::nullopt;
@@ -224,7 +235,7 @@ class ForeignCells {
     std::vector<double> weights(static_cast<std::size_t>(grid.GetMaxCellSize()));
     vtkNew<vtkGenericCell> cell;
     std::optional<CellPlace> best;
-    double least = kOutside;
+    double least = 0.0;
     for (const vtkIdType candidate : *candidates) {
       grid.GetCell(candidate, cell);
       Eigen::Vector3d nearest, parameters;
@@ -234,12 +245,16 @@ class ForeignCells {
           1)
         continue;
       if (!cell->IsLinear() && !invert(*cell, x, parameters, nearest, weights)) continue;
-      const double beyond = cell->GetParametricDistance(parameters.data());
-      if (beyond > least || (best && beyond >= least) || (nearest - x).norm() > 10.0 * tolerance) continue;
-      least = beyond;
+      if (cell->GetParametricDistance(parameters.data()) > kOutside ||
+          (nearest - x).norm() > 10.0 * tolerance)
+        continue;
+      const double away = before && before->block == number
+                              ? (middleOf(grid, candidate) - middleOf(grid, before->cell)).norm()
+                              : static_cast<double>(candidate);
+      if (best && away >= least) continue;
+      least = away;
       vtkIdList& ids = *cell->GetPointIds();
       best = CellPlace{number, candidate, {ids.begin(), ids.end()}, weights};
-      if (beyond == 0.0) break;
     }
     return best;
   }

@@ -1,10 +1,14 @@
 #include "postproc/probe/foreign_probe.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "tests/message_of.h"
 
@@ -96,6 +100,42 @@ TEST(ForeignProbe, VolumesAreLookedInto) {
   EXPECT_EQ(run.dim, 3);
   EXPECT_NEAR(run.points.front().values(0), 0.0, 1e-9);
   EXPECT_NEAR(run.points.back().values(0), 5.0, 1e-9);
+}
+
+/// Two rows of cells whose border is rounded to one side or the other: values are those of one row.
+TEST(ForeignProbe, ALineAlongABorderStaysOnOneSide) {
+  constexpr int kCount = 40;
+  const fs::path name = fs::temp_directory_path() / ("burnish_rows_" + std::to_string(::getpid()) + ".vtk");
+  std::ofstream stream(name);
+  stream.precision(17);
+  stream << "# vtk DataFile Version 3.0\nrows\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << 3 * (kCount + 1)
+         << " double\n";
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i <= kCount; ++i) {
+      const double x = 0.1 * i, y = 0.1 * j, angle = 0.3;
+      stream << x * std::cos(angle) - y * std::sin(angle) << " " << x * std::sin(angle) + y * std::cos(angle)
+             << " 0\n";
+    }
+  stream << "CELLS " << 2 * kCount << " " << 10 * kCount << "\n";
+  for (int i = 0; i < kCount; ++i)
+    for (int j = 0; j < 2; ++j) {  // the rows in turn
+      const int corner = j * (kCount + 1) + i;
+      stream << "4 " << corner << " " << corner + 1 << " " << corner + kCount + 2 << " "
+             << corner + kCount + 1 << "\n";
+    }
+  stream << "CELL_TYPES " << 2 * kCount << "\n";
+  for (int k = 0; k < 2 * kCount; ++k) stream << "9\n";
+  stream << "CELL_DATA " << 2 * kCount << "\nSCALARS row double 1\nLOOKUP_TABLE default\n";
+  for (int k = 0; k < 2 * kCount; ++k) stream << k % 2 << "\n";
+  stream.close();
+  const ForeignFile file(name);
+  const double x = std::cos(0.3), y = std::sin(0.3);
+  const ProbedRun run = probedInstant(
+      file, 0,
+      along(fmt::format("{},{}:{},{}", -0.1 * y, 0.1 * x, 4.0 * x - 0.1 * y, 4.0 * y + 0.1 * x), {"row"}));
+  fs::remove(name);
+  ASSERT_GT(run.points.size(), 10U);
+  for (const ProbePoint& point : run.points) EXPECT_EQ(point.values(0), run.points.front().values(0));
 }
 
 /// A ring of curved cells, in which VTK finds places in straight parts alone.
