@@ -59,6 +59,11 @@ std::string readAll(const std::filesystem::path& path) {
   return contents.str();
 }
 
+/// Whether a run writes the table, perhaps just now.
+bool isOfRun(const std::filesystem::path& path) {
+  return path.filename() == "history.csv" || path.filename() == "convergence.csv";
+}
+
 /// Of what the table holds before the mark. Throws if that is not what was written; what is missing is found
 /// out when the file is opened.
 Fingerprint fingerprintBefore(const TableMark& mark, const std::filesystem::path& path) {
@@ -127,13 +132,16 @@ const std::vector<double>* findColumn(const HistoryTable& table, const std::stri
 }
 
 HistoryTable readHistory(const std::filesystem::path& path) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets begin UTF-8 with it
   const std::string contents = readAll(path);
   std::string_view rest = contents;
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   HistoryTable table{.path = path, .columns = {}, .values = {}};
-  for (int line = 1; rest.find('\n') != std::string_view::npos; ++line) {
-    const std::size_t end = rest.find('\n');
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (end == rest.size() && isOfRun(path)) break;
     std::string_view text = rest.substr(0, end);
-    rest.remove_prefix(end + 1);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
     if (text.ends_with('\r')) text.remove_suffix(1);
     const std::vector<std::string_view> cells = split(text);
     if (line == 1) {

@@ -226,4 +226,7 @@ void describe(Visitor& v, RunAccount& s) {
 /// All entries that are numbers, by their names.
 std::map<std::string, double> numbersOf(const RunAccount& account);
 
+/// The names of all entries that may be numbers.
+std::vector<std::string> numberNames();
+
 }  // namespace burnish

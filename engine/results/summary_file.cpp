@@ -108,13 +108,16 @@ class NumberCollector {
   template <class T>
   void field(const char* key, const T& value, const Rule& /*rule*/, const char* /*sentence*/) {
     if constexpr (requires { value.has_value(); }) {
+      names.emplace_back(key);
       if (value) numbers[key] = static_cast<double>(*value);
     } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+      names.emplace_back(key);
       numbers[key] = static_cast<double>(value);
     }
   }
 
   std::map<std::string, double> numbers;
+  std::vector<std::string> names;  ///< also of those that the account does not have
 };
 
 }  // namespace
@@ -149,6 +152,13 @@ std::map<std::string, double> numbersOf(const RunAccount& account) {
   RunAccount described = account;
   describe(collector, described);
   return std::move(collector.numbers);
+}
+
+std::vector<std::string> numberNames() {
+  NumberCollector collector;
+  RunAccount described;
+  describe(collector, described);
+  return std::move(collector.names);
 }
 
 void removeSummary(const std::filesystem::path& directory) {

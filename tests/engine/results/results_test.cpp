@@ -781,8 +781,16 @@ TEST_F(Results, HistoryReadsBackExactly) {
 }
 
 TEST_F(Results, HistoryLeavesOutARowThatIsBeingWritten) {
-  overwrite(dir / "h.csv", "a,b\n1,2\n3,4");
-  EXPECT_EQ(readHistory(dir / "h.csv").numRows(), 1u);
+  for (const char* ofRun : {"history.csv", "convergence.csv"}) {
+    overwrite(dir / ofRun, "a,b\n1,2\n3,4");
+    EXPECT_EQ(readHistory(dir / ofRun).numRows(), 1u);
+  }
+  overwrite(dir / "table.csv", "a,b\n1,2\n3,4");
+  EXPECT_EQ(readHistory(dir / "table.csv").column("b"), (std::vector<double>{2.0, 4.0}));
+  overwrite(dir / "spreadsheet.csv",
+            "\xEF\xBB\xBF"
+            "a,b\r\n1,2");
+  EXPECT_EQ(readHistory(dir / "spreadsheet.csv").column("a"), std::vector<double>{1.0});
   overwrite(dir / "windows.csv", "a,b\r\n1,2\r\n");
   EXPECT_EQ(readHistory(dir / "windows.csv").column("b"), std::vector<double>{2.0});
 }
