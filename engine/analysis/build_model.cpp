@@ -103,6 +103,7 @@ std::unique_ptr<Model<Dim>> ModelBuilder<Dim>::build(const Scene& scene) {
   for (std::size_t k = 0; k < scene.selfContact.size(); ++k)
     problems.gather([&] { builder.addSelfContact(k); });
   if (!scene.stabilise) problems.gather([&] { requireSupported(scene, model); });
+  problems.gather([&] { requireHeldAxis(model); });
   problems.throwIfAny();
   builder.closeNumbering();
   requireFiniteFormulas(scene, model);

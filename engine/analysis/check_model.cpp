@@ -217,6 +217,29 @@ void requireSupported(const Scene& scene, const Model<Dim>& model) {
   problems.throwIfAny();
 }
 
+template <int Dim>
+void requireHeldAxis(const Model<Dim>& model) {
+  const Body<Dim>& body = model.body();
+  if (!body.axisymmetric) return;
+  constexpr double kRounding = 1e-10, kForever = 1e300;
+  const Eigen::MatrixXd positions = body.nodePositions();
+  for (const OuterFace& face : model.faces().outerFaces()) {
+    const auto patch = static_cast<std::size_t>(face.place.patch);
+    bool liesThere = true, isHeld = true;
+    for (const int a : faceFunctions(body.patches[patch].basis(), face.place.face)) {
+      const int node = body.nodes[patch][static_cast<std::size_t>(a)];
+      liesThere = liesThere && std::abs(positions(0, node)) <= kRounding * body.size();
+      isHeld = isHeld && model.supports().holdsBehind(kForever, Dim * node);
+    }
+    if (liesThere && !isHeld)
+      throw InputError(
+          "supports",
+          fmt::format("face {} lies on the axis of revolution, and nothing keeps it there: a hole would "
+                      "open; add a support of this face with symmetry: true",
+                      face.text));
+  }
+}
+
 template void requireFiniteFormulas(const Scene&, const Model<2>&);
 template void requireFiniteFormulas(const Scene&, const Model<3>&);
 template void requireApart(const Model<2>&, double, const ContactSpec&, const std::string&);
@@ -225,5 +248,7 @@ template void requireReachable(const Scene&, const Model<2>&, const ContactSpec&
 template void requireReachable(const Scene&, const Model<3>&, const ContactSpec&, const std::string&);
 template void requireSupported(const Scene&, const Model<2>&);
 template void requireSupported(const Scene&, const Model<3>&);
+template void requireHeldAxis(const Model<2>&);
+template void requireHeldAxis(const Model<3>&);
 
 }  // namespace burnish

@@ -30,4 +30,8 @@ void requireReachable(const Scene& scene, const Model<Dim>& model, const Contact
 template <int Dim>
 void requireSupported(const Scene& scene, const Model<Dim>& model);
 
+/// Throws `InputError` if a face on the axis of revolution may leave it: no material holds it there, as its area is nothing.
+template <int Dim>
+void requireHeldAxis(const Model<Dim>& model);
+
 }  // namespace burnish

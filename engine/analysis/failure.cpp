@@ -114,10 +114,29 @@ std::vector<std::string> releaseFindings(const Scene& scene, double t) {
   return findings;
 }
 
-/// minJ: the smallest J of the last iterate. changes: see `ContactFindings`.
-std::string adviceFor(double minJ, int changes) {
+/// Whether forces were in balance, and the conditions of contact were not met.
+bool leftGaps(const NewtonReport& report, const NewtonOptions& options) {
+  return report.outcome == NewtonOutcome::TooManyIterations && report.residual < options.tolerance &&
+         report.constraint >= options.constraintTolerance;
+}
+
+/// Why the last search ended, with the numbers that decided.
+std::string endOf(const NewtonReport& report, const NewtonOptions& options) {
+  if (leftGaps(report, options))
+    return fmt::format(
+        "forces came into balance (relative residual {:.2e}), but averaged gaps did not vanish under the contact (largest "
+        "{:.2e} of the body's size, tolerance {:.0e})",
+        report.residual, report.constraint, options.constraintTolerance);
+  return fmt::format("{} (last relative residual {:.2e})", describe(report.outcome), report.residual);
+}
+
+/// minJ: the smallest J of the last iterate. changes: see `ContactFindings`. leftGaps: see there.
+std::string adviceFor(double minJ, int changes, bool leftGaps) {
   if (minJ < kDistortedJ)
     return "the mesh is close to folding: give it more knot spans where the body is squeezed, or finer steps";
+  if (leftGaps && changes == 0)
+    return "take another contact.method (integral-augmented-lagrangian or augmented-lagrangian), another contact parameter, "
+           "or spans along the contact face that are less different in size";
   if (changes > 0)
     return "contact finds no rest: take more steps, a larger solver.max_cuts, more knot spans along the "
            "contact face, or another contact parameter";
@@ -132,10 +151,11 @@ Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
   const Model<Dim>& model = *simulation.model;
   const Stepping& stepping = simulation.stepping;
   const NewtonReport& report = stepping.lastFailure();
-  std::vector<std::string> findings{fmt::format(
-      "at t = {:.6g} the smallest step ({:.3g}) failed: {} (last relative residual {:.2e})",
-      stepping.state().time, stepping.lastFailedStep(), describe(report.outcome), report.residual)};
-  if (report.worstUnknown >= 0)
+  const NewtonOptions& options = simulation.newton.options();
+  std::vector<std::string> findings{fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {}",
+                                                stepping.state().time, stepping.lastFailedStep(),
+                                                endOf(report, options))};
+  if (report.worstUnknown >= 0 && !leftGaps(report, options))
     findings.push_back(fmt::format("the residual is largest at {}", placeOf(model, report.worstUnknown)));
   const ContactFindings contact = contactFindings(model);
   std::ranges::copy(contact.findings, std::back_inserter(findings));
@@ -147,7 +167,8 @@ Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
                   model.bodies().size() > 1 ? fmt::format(", in body '{}'", folding.name) : ""));
   std::ranges::copy(toolFindings(model), std::back_inserter(findings));
   std::ranges::copy(releaseFindings(scene, stepping.state().time), std::back_inserter(findings));
-  return {fmt::format("{}", fmt::join(findings, "; ")), adviceFor(minJ, contact.changes)};
+  return {fmt::format("{}", fmt::join(findings, "; ")),
+          adviceFor(minJ, contact.changes, leftGaps(report, options))};
 }
 
 template Failure diagnose(const Scene&, const Simulation<2>&);

@@ -229,6 +229,22 @@ TEST(SceneReport, APartOfAFaceMayBeAPointOrALength) {
   EXPECT_EQ(errorOf(kPress, {"loads=[{face: left, pressure: 1, length: [0.3, 0.6]}]"}), "no error");
 }
 
+TEST(SceneReport, AFaceOnTheAxisOfRevolutionStaysThere) {
+  const std::vector<std::string> revolved{"kinematics=axisymmetric", "tools[0].center=[0, 1.5]"};
+  EXPECT_THAT(
+      errorOf(kPress, revolved),
+      StartsWith("test.yaml:4:3: supports: face 'left' lies on the axis of revolution, and nothing keeps it "
+                 "there: a hole would open; add a support of this face with symmetry: true"));
+  EXPECT_EQ(
+      errorOf(replaced(kPress, "fix: [x, y]}", "fix: [x, y]}\n  - {face: left, symmetry: true}"), revolved),
+      "no error");
+  EXPECT_THAT(
+      errorOf(replaced(kPress, "fix: [x, y]}", "fix: [x, y]}\n  - {face: left, fix: [x], until: 0.5}"),
+              revolved),
+      HasSubstr("face 'left' lies on the axis"));
+  EXPECT_EQ(errorOf(kPress, {"kinematics=axisymmetric", "geometry.origin=[0.1, 0]"}), "no error");
+}
+
 TEST(SceneReport, ADiscAwayFromTheAxisIsARing) {
   const std::string ring = replaced(replaced(kPress, "{shape: rectangle, size: [2, 1], spans: [4, 2]}",
                                              "{shape: disc, center: [10, 0], radius: 1, spans: [4, 4]}"),
