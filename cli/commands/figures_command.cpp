@@ -111,16 +111,18 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   }
   if (result.signal != 0) return interrupted(result.signal);
   if (!arguments.json) printResults(plan, result.jobs, arguments.output);
+  std::vector<std::string> faults;  // of the study's measures
   if (arguments.only.empty()) {
     const std::string csv = runsCsv(plan, result.jobs);
     writeFileAtomically(arguments.output / "runs.csv", std::as_bytes(std::span(csv)));
-    writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
+    faults = writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
     if (!arguments.json) printOut("document {}\n", arguments.document.string());
   }
   if (arguments.json) printResultsJson(plan, result.jobs, arguments);
   const bool allFine = std::all_of(result.jobs.begin(), result.jobs.end(),
                                    [](const JobStatus& job) { return job.state == JobState::Fine; });
-  return allFine ? ExitCode::Fine : ExitCode::Incomplete;
+  for (const std::string& fault : faults) printError("burnish: {}\n", fault);
+  return allFine && faults.empty() ? ExitCode::Fine : ExitCode::Incomplete;
 }
 
 /// file: as it is called if no other name is given.

@@ -51,6 +51,16 @@ const MeasureSpec& measureNamed(const StatementSpec& statement, const std::strin
   throw Error(fmt::format("statement {}: there is no measure \"{}\"", statement.name, name));
 }
 
+/// Without a value where the results have no such thing.
+Measured measuredOrNote(const Study& study, const StudyRun& run, const MeasureSpec& measure,
+                        const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
+  try {
+    return evaluateMeasure(study, run, measure, studyDirectory, seen);
+  } catch (const Error& error) {
+    return {{}, error.what()};
+  }
+}
+
 JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const ClaimSpec& claim,
                        const std::map<std::string, std::string>& parameters,
                        const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
@@ -58,7 +68,7 @@ JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const Cla
   std::vector<Observed> numbers;
   for (const std::string& name : claim.runs) {
     const StudyRun& run = runNamed(study, fillIn(name, parameters));
-    values.push_back({run.label, evaluateMeasure(study, run, measure, studyDirectory, seen)});
+    values.push_back({run.label, measuredOrNote(study, run, measure, studyDirectory, seen)});
     numbers.push_back({.value = values.back().measured.comparable()});
   }
   return {fillIn(claim.text, parameters), judge(claim.expectation(), numbers).verdict,

@@ -64,6 +64,9 @@ class Document {
       judged_.push_back(judgeClaims(study, statement, directory_, seen_));
   }
 
+  /// Of measures that were asked for what results do not have, so far.
+  const std::vector<std::string>& faults() const { return faults_; }
+
   std::string text() const {
     const StudySpec& spec = study_.spec;
     std::string text = fmt::format(
@@ -201,7 +204,7 @@ class Document {
       std::vector<std::optional<double>> values;
       std::vector<std::string> marks;
       for (const StudyRun* run : runs) {
-        const Measured measured = evaluateMeasure(study_, *run, measure, directory_, seen_);
+        const Measured measured = measuredOrFault(statement, measure, *run);
         values.push_back(measured.value);
         marks.push_back(notes.mark(measured.note));
       }
@@ -211,6 +214,18 @@ class Document {
     }
     const std::string below = notes.text();
     return markdownTable(columns) + (below.empty() ? "" : "\n" + below);
+  }
+
+  /// Without a value where the results have no such thing, which is kept as a fault.
+  Measured measuredOrFault(const StatementSpec& statement, const MeasureSpec& measure,
+                           const StudyRun& run) const {
+    try {
+      return evaluateMeasure(study_, run, measure, directory_, seen_);
+    } catch (const Error& error) {
+      faults_.push_back(fmt::format("{}: measure {} of statement {}: {}", study_.file.string(), measure.name,
+                                    statement.name, error.what()));
+      return {{}, error.what()};
+    }
   }
 
   std::string doubtMark(const StudyRun& run, Footnotes& notes) const {
@@ -254,14 +269,18 @@ class Document {
   const fs::path& directory_;
   const DocumentOptions& options_;
   mutable SeenProfiles seen_;
+  mutable std::vector<std::string> faults_;
   std::vector<std::optional<RunData>> data_;      ///< of each run of the study
   std::vector<std::vector<JudgedClaim>> judged_;  ///< of each statement
 };
 
 }  // namespace
 
-void writeDocument(const Study& study, const fs::path& studyDirectory, const DocumentOptions& options) {
-  writeText(Document(study, studyDirectory, options).text(), options.file);
+std::vector<std::string> writeDocument(const Study& study, const fs::path& studyDirectory,
+                                       const DocumentOptions& options) {
+  const Document document(study, studyDirectory, options);
+  writeText(document.text(), options.file);
+  return document.faults();
 }
 
 }  // namespace burnish

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "postproc/study/study.h"
 
@@ -12,9 +14,10 @@ struct DocumentOptions {
 };
 
 /// Writes what came out of a study: which claims hold, a table of all runs, and each statement with its
-/// table, verdicts and figures. Equal results give equal bytes. Throws `Error` for measures that results do
-/// not have and files that cannot be written; runs and pictures that are missing are named in the document.
-void writeDocument(const Study& study, const std::filesystem::path& studyDirectory,
-                   const DocumentOptions& options);
+/// table, verdicts and figures. Equal results give equal bytes. Throws `Error` for files that cannot be written; runs and pictures
+/// that are missing are named in the document, and so are measures that results do not have: these are returned, each
+/// with the study, its name and what is wrong.
+std::vector<std::string> writeDocument(const Study& study, const std::filesystem::path& studyDirectory,
+                                       const DocumentOptions& options);
 
 }  // namespace burnish

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "engine/core/nearest.h"
+#include "engine/results/run_account.h"
 
 namespace burnish {
 
@@ -43,6 +44,8 @@ void StudyReporter::checkMeasure(const std::string& path, const MeasureSpec& mea
   if (const auto* roughness = std::get_if<RoughnessMeasure>(&measure.what))
     for (const InputProblem& problem : conflictsIn(roughness->face))
       report(path + "." + problem.path, problem.text);
+  if (const auto* summary = std::get_if<SummaryMeasure>(&measure.what))
+    requireKnown(path + ".entry", summary->entry, numberNames());
   const auto* history = std::get_if<HistoryMeasure>(&measure.what);
   if (history == nullptr) return;
   const bool isAt = history->reduce == Reduction::At;

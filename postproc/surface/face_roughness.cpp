@@ -82,6 +82,18 @@ LinePath pointsOf(const char* key, const std::string& text, int dim, const char*
   }
 }
 
+/// Whether a text is two points of a plane or in space.
+bool areTwoPoints(const std::string& text) {
+  return std::ranges::any_of(std::array{2, 3}, [&](int dim) {
+    try {
+      pointsOf("", text, dim, "");
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  });
+}
+
 /// The grid of these numbers of a grid, which increase, if they make one.
 std::array<int, 2> gridOf(const std::vector<Eigen::Index>& kept, int along) {
   std::size_t first = 1;
@@ -254,8 +266,13 @@ Profile profileOfChord(const ModelRecord& model, const FrameRecord& frame, const
 }  // namespace
 
 std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec) {
-  if (spec.line.empty() || spec.within.empty()) return {};
-  return {{"line", "found beside within; expected one of the two"}};
+  if (!spec.line.empty() && !spec.within.empty())
+    return {{"line", "found beside within; expected one of the two"}};
+  for (const auto& [key, text] : {std::pair{"within", spec.within}, std::pair{"line", spec.line}})
+    if (!text.empty() && !areTwoPoints(text))
+      return {
+          {key, fmt::format("found {}; expected two points, X0,Y0:X1,Y1, in space with Z", quoted(text))}};
+  return {};
 }
 
 FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {

@@ -13,8 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace samples;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 TEST(ColumnTexts, HaveOneStyle) {
   EXPECT_THAT(columnTexts({1.0, 250.0, std::nullopt}), ElementsAre("1", "250", "—"));
@@ -113,6 +116,21 @@ TEST_F(Document, MarksValuesThatAreMissing) {
   EXPECT_THAT(text, HasSubstr(" 1.250 |"));
   EXPECT_THAT(text, HasSubstr("| — <sup>2</sup> |"));
   EXPECT_THAT(text, HasSubstr("<sup>2</sup> stopped at t = 1.4"));
+}
+
+TEST_F(Document, GoesOnWhereAMeasureAsksForWhatResultsDoNotHave) {
+  HistoryMeasure none;
+  none.y = "none";
+  StatementSpec& statement = study_.spec.statements.front();
+  statement.measures.push_back({"none", "no value", none});
+  statement.claims.push_back(statement.claims.front());
+  statement.claims.back().measure = "none";
+  const auto faults = writeDocument(study_, directory_.path(), {directory_.path() / "study.md", {}});
+  EXPECT_THAT(faults, Not(IsEmpty()));
+  EXPECT_THAT(faults, Each(HasSubstr(": measure none of statement meshes: ")));
+  const std::string text = readText(directory_.path() / "study.md");
+  EXPECT_THAT(text, HasSubstr("1 holds, 1 does not hold, 2 cannot be told"));
+  EXPECT_THAT(text, HasSubstr("no value"));
 }
 
 TEST_F(Document, ShowsPicturesWhereTheyAreOrFromTheGallery) {

@@ -257,6 +257,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "study.yaml:22:9: statements[0].claims[0].range: required with between"},
         Mistake{"within", "soft]}", "soft], within: 0.1}",
                 "study.yaml:22:114: statements[0].claims[0].within: found without equal or different"},
+        Mistake{
+            "entry", "kind: history, y: strain_energy, reduce: max", "kind: summary, entry: iteratons",
+            "study.yaml:20:57: statements[0].measures[0].entry: found iteratons; allowed: approach_iterations | "},
         Mistake{"at", "reduce: max", "reduce: at",
                 "study.yaml:20:9: statements[0].measures[0].at: missing; required with `reduce: at`"},
         Mistake{"figure", "figures: [both]", "figures: [all]",
