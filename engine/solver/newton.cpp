@@ -86,6 +86,29 @@ bool goesToAndFro(const std::vector<double>& residuals) {
   return residuals.size() > 4 && isAsBefore(2) && isAsBefore(4);
 }
 
+/// Corrections of a search of which each is the one before turned round and little smaller, as where the tangent lacks a part of
+/// what a place resists: the points of a rule that is split where a contact ends move with the unknowns.
+class Turns {
+ public:
+  /// The part of the next correction that leads to where such a sequence would end (Aitken); 1 of others.
+  double partOf(const Eigen::VectorXd& correction) {
+    constexpr double kSlow = 0.5, kApart = 0.1;
+    constexpr int kEnough = 3;
+    const double ratio = last_.size() == 0 ? 0.0 : -correction.dot(last_) / last_.squaredNorm();
+    const bool isTurned = ratio > kSlow && (correction + ratio * last_).norm() < kApart * correction.norm();
+    count_ = isTurned ? count_ + 1 : 0;
+    last_ = correction;
+    if (count_ < kEnough) return 1.0;
+    count_ = 0;
+    last_.resize(0);
+    return 1.0 / (1.0 + ratio);
+  }
+
+ private:
+  Eigen::VectorXd last_;
+  int count_ = 0;
+};
+
 /// Residuals of all terms together, less what is held against them.
 Eigen::VectorXd sumOf(const std::vector<Eigen::VectorXd>& forces, const Eigen::VectorXd& held, int size) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(size);
@@ -303,7 +326,7 @@ bool Newton::findCorrection(bool isFirst, FirstTangent first, const Residual& re
   return correction.allFinite();
 }
 
-bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target,
+bool Newton::take(double t, const Eigen::VectorXd& correction, double part, const Eigen::VectorXd& target,
                   Eigen::VectorXd& x, NewtonReport& report) {
   const Eigen::VectorXd start = x;
   const double before = report.history.back();
@@ -312,9 +335,9 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
   report.cameFree = report.cameFree || useful < 1.0;
   Eigen::VectorXd way = correction;
   if (useful < 1.0) way.head(scales_.numForces) *= useful;
-  const auto goTo = [&](double part) {
-    x = start + part * way;
-    if (part == 1.0 && useful == 1.0)
+  const auto goTo = [&](double share) {
+    x = start + share * way;
+    if (share == 1.0 && useful == 1.0)
       for (int i = 0; i < system_.numUnknowns(); ++i)
         if (system_.isPrescribed(i)) x(i) = target(i);  // exactly, not up to a rounded sum
     return evaluate(t, x);
@@ -333,19 +356,19 @@ bool Newton::take(double t, const Eigen::VectorXd& correction, const Eigen::Vect
   for (int i = 0; mayGoTooFar && i < system_.numUnknowns(); ++i)
     mayGoTooFar = !system_.isPrescribed(i) || correction(i) == 0.0;
   const double workAtStart = mayGoTooFar ? work() : 0.0;
-  double s = 1.0;
-  if (before > kNearTheEnd * options_.tolerance && goesToAndFro(report.history)) {
-    s = 0.5;  // leads away from both states
-    ++report.backtracks;
-  }
+  double s = part;
+  if (before > kNearTheEnd * options_.tolerance && goesToAndFro(report.history))
+    s = std::min(s, 0.5);  // leads away from both states
+  if (s < 1.0) ++report.backtracks;
   for (int halvings = 0;; ++halvings, s *= 0.5) {
     if (goTo(s)) {
       if (workAtStart < 0.0) {
         const double over = work() / workAtStart;
         if (over < -kOvershoot && std::isfinite(over))
-          return findBalance(s, over, [&](double part) -> std::optional<double> {
+          return findBalance(s, over, [&](double share) -> std::optional<double> {
             ++report.backtracks;
-            const double there = goTo(part) ? work() / workAtStart : std::numeric_limits<double>::quiet_NaN();
+            const double there =
+                goTo(share) ? work() / workAtStart : std::numeric_limits<double>::quiet_NaN();
             return std::isfinite(there) ? std::optional(there) : std::nullopt;
           });
       }
@@ -377,6 +400,7 @@ void Newton::archive(StateArchive& archive) {
 
 NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::VectorXd& x, FirstTangent first) {
   NewtonReport report;
+  Turns turns;
   weighedResidual_ = 0.0;
   linear_->beginSearch();
   if (!evaluate(t, x)) {
@@ -402,7 +426,7 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     if (before) report.linearIterations.push_back(linear_->counts()->iterations - before->iterations);
     ++report.iterations;
     ++timings_.iterations;
-    if (!take(t, correction, target, x, report)) {
+    if (!take(t, correction, turns.partOf(correction.head(scales_.numForces)), target, x, report)) {
       report.outcome = NewtonOutcome::Inadmissible;
       return report;
     }

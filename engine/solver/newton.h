@@ -133,9 +133,9 @@ class Newton {
   /// in the end. reference: the force that they are relative to.
   SolveAccuracy accuracyFor(const Eigen::VectorXd& rhs, double reference);
 
-  /// Moves x along the correction, shortened as needed; false if no admissible state was found.
-  bool take(double t, const Eigen::VectorXd& correction, const Eigen::VectorXd& target, Eigen::VectorXd& x,
-            NewtonReport& report);
+  /// Moves x along a part of the correction, shortened as needed; false if no admissible state was found.
+  bool take(double t, const Eigen::VectorXd& correction, double part, const Eigen::VectorXd& target,
+            Eigen::VectorXd& x, NewtonReport& report);
 
   std::vector<Term*> terms_;
   ResidualScales scales_;

@@ -191,6 +191,30 @@ TEST(Newton, LeavesACircle) {
   }
 }
 
+/// A spring whose tangent lacks nearly half of its stiffness: each correction is 0.9 of the one before, turned round.
+class HalfKnownSpring final : public Term {
+ public:
+  CouplingGroups couplings() const override { return {{0}}; }
+  bool evaluate(double, const Eigen::VectorXd& x, Assembly& out) override {
+    out.force(0) += 1.9 * (x(0) - 1.0);
+    if (out.system != nullptr) out.system->add(out.term, 0, Eigen::MatrixXd::Constant(1, 1, 1.0));
+    return true;
+  }
+  void accept() override {}
+};
+
+TEST(Newton, FindsTheEndOfCorrectionsThatTurnRound) {
+  HalfKnownSpring term;
+  ResidualScales scales = scalesFor(1);
+  scales.forceFloor = 1.0;
+  Newton newton({&term}, {false}, scales, {});
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+  const NewtonReport report = newton.solve(0.0, Eigen::VectorXd::Zero(1), x);
+  EXPECT_EQ(report.outcome, NewtonOutcome::Converged);
+  EXPECT_LT(report.iterations, 9) << "log(1e-9)/log(0.9) = 197 without";
+  EXPECT_NEAR(x(0), 1.0, 1e-12);
+}
+
 TEST(Newton, SaysWhenNothingIsAdmissible) {
   Chain chain(3, 0.1);
   Newton newton({&chain}, {true, false, true}, scalesFor(3), {});
