@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "postproc/draw/foreign/copied_cell.h"
+#include "postproc/draw/foreign/linear_parts.h"
 #include "postproc/mesh/poly_builder.h"
 
 namespace burnish {
@@ -131,6 +132,39 @@ double lengthOfAll(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grid
   return length;
 }
 
+/// Gives a copy of cells the first two parameters of curved ones in turn, so that they are right-handed in a mirror: of
+/// curved cells VTK sees that faces are one if they are run through in opposite directions.
+void turnCurved(vtkUnstructuredGrid& cells, vtkUnstructuredGrid& copy) {
+  vtkNew<vtkUnstructuredGrid> turned;
+  turned->Allocate(cells.GetNumberOfCells());
+  vtkDataArray* degrees = copy.GetCellData()->GetHigherOrderDegrees();
+  for (vtkIdType k = 0; k < cells.GetNumberOfCells(); ++k) {
+    vtkCell& cell = *cells.GetCell(k);
+    const double* parameters = cell.GetParametricCoords();
+    if (cell.IsLinear() || parameters == nullptr) {
+      copyCell(cells, k, *turned, [](vtkIdType id) { return id; });
+      continue;
+    }
+    const Eigen::Map<const Eigen::Matrix3Xd> at(parameters, 3, cell.GetNumberOfPoints());
+    std::vector<vtkIdType> ids;
+    for (Eigen::Index point = 0; point < at.cols(); ++point) {
+      Eigen::Index partner = 0;
+      const Eigen::Vector3d wanted(at(1, point), at(0, point), at(2, point));
+      (at.colwise() - wanted).colwise().squaredNorm().minCoeff(&partner);
+      ids.push_back(cell.GetPointId(static_cast<int>(partner)));
+    }
+    turned->InsertNextCell(cell.GetCellType(), std::ssize(ids), ids.data());
+    if (degrees == nullptr) continue;
+    const double first = degrees->GetComponent(k, 0);
+    degrees->SetComponent(k, 0, degrees->GetComponent(k, 1));
+    degrees->SetComponent(k, 1, first);
+  }
+  turned->SetPoints(copy.GetPoints());
+  turned->GetPointData()->ShallowCopy(copy.GetPointData());
+  turned->GetCellData()->ShallowCopy(copy.GetCellData());
+  copy.ShallowCopy(turned);
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
@@ -173,6 +207,7 @@ vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, c
                                                    double sign) {
   const auto image = vtkSmartPointer<vtkUnstructuredGrid>::New();
   image->DeepCopy(&cells);
+  if (hasCurved(cells)) turnCurved(cells, *image);
   for (vtkIdType k = 0; k < image->GetNumberOfPoints(); ++k) {
     std::array<double, 3> point{};
     image->GetPoint(k, point.data());

@@ -200,6 +200,20 @@ TEST(LinearParts, CellsOutOfReachAreLeftOut) {
   EXPECT_NEAR(sizeOf(*sectionOf(*near, plane)), std::sqrt(4.0 - 1.9 * 1.9), 3e-3);
 }
 
+/// Nothing of a mirror's plane is seen.
+TEST(CurvedCells, MeetTheirImages) {
+  for (const int type : {VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON}) {
+    const Grid ring = quarterRing(type);
+    const auto whole = outerFaces(*shownCells({ring, mirroredCells(*ring, {0, 0.0}, 1.0)}));
+    int inPlane = 0;
+    for (vtkIdType face = 0; face < whole->GetNumberOfCells(); ++face) {
+      const double* bounds = whole->GetCell(face)->GetBounds();
+      if (std::max(-bounds[0], bounds[1]) < 1e-9) ++inPlane;
+    }
+    EXPECT_EQ(inPlane, 0) << type;
+  }
+}
+
 /// What stands at the points of rational cells are coefficients: the field of these is the radius.
 TEST(LinearParts, HaveTheValuesOfRationalCells) {
   const auto grid = Grid::New();
