@@ -77,6 +77,7 @@ std::string textOf(const Indentation& run, const IndentationUnits& units) {
       lineOf("hardness", "H", found.hardness, units.stress,
              run.computed ? computed(run.computed->hardness, units.stress) : "") +
       lineOf("factor of the stiffness", "β", run.beta, "") + lineOf("Poisson's ratio", "ν", run.nu, "");
+  if (!run.shortUnloading.empty()) text += fmt::format("doubtful: {}\n", run.shortUnloading);
   if (!run.computed)
     text +=
         fmt::format("no computed area: {}\n", run.noArea.empty() ? "the face ends inside of it" : run.noArea);
@@ -104,6 +105,7 @@ Json::Value jsonOf(const Indentation& run, const IndentationUnits& units, const 
         std::pair{"misfit", found.misfit}})
     object[key] = value;
   object["points"] = found.numPoints;
+  if (!run.shortUnloading.empty()) object["doubtful"] = run.shortUnloading;
   if (run.sceneModulus) object["modulus_of_scene"] = *run.sceneModulus;
   if (run.computed) {
     object["computed"]["area"] = run.computed->area;

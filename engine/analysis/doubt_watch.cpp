@@ -181,12 +181,18 @@ std::vector<DoubtRecord> DoubtWatch<Dim>::records() const {
   const std::vector<std::string> sentences = toolWatch_.sentences();
   for (std::size_t k = 0; k < toolDoubts_.size(); ++k) add(toolDoubts_[k], sentences[k]);
   for (std::size_t k = 0; k < tipDoubts_.size(); ++k) add(tipDoubts_[k], tipWatch_.sentence(k, tips_[k]));
-  for (std::size_t k = 0; k < passes_.size(); ++k)
-    if (paths_[k])
-      add(passes_[k].doubt(),
-          fmt::format("{} touches nothing in a pass: its path leads over the body or beside it",
-                      model_.tools()[k]->name),
-          passes_[k].passText(*paths_[k]));
+  for (std::size_t k = 0; k < passes_.size(); ++k) {
+    if (!paths_[k]) continue;
+    const std::string& name = model_.tools()[k]->name;
+    add(passes_[k].doubt(),
+        fmt::format("{} touches nothing in a pass: its path leads over the body or beside it", name),
+        passes_[k].passText(*paths_[k]));
+    add(passes_[k].heldDoubt(),
+        fmt::format(
+            "{} still touches when it has been lifted: what is left in the body then is under its load; give "
+            "its path a larger clearance",
+            name));
+  }
   return records;
 }
 

@@ -7,6 +7,7 @@
 namespace burnish {
 
 void PassWatch::update(const ToolPath& path, double time, bool touches) {
+  if (touches && path.isLifted(time)) held_.note(time);
   const std::vector<ToolPath::Pass>& passes = path.passes();
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const bool ends = isSameTime(time, passes[k].end);
@@ -35,6 +36,7 @@ std::string PassWatch::passText(const ToolPath& path) const {
 void PassWatch::archive(StateArchive& archive) {
   archive.together("pass", pass_, lastTime_, touched_, states_, idle_);
   archive.part("doubt", doubt_);
+  archive.part("held", held_);
 }
 
 }  // namespace burnish

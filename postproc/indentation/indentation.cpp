@@ -156,6 +156,12 @@ Indentation indentationOf(const ResultReader& result, const IndentationSpec& spe
   const IndentationCurve unloading = unloadingOf(found.curve, found.largest);
   found.found = oliverPharr(unloading, placed.indenter, {spec.fit[0], spec.fit[1], spec.epsilon, found.beta});
   found.modulus = (1.0 - found.nu * found.nu) * found.found.modulus;
+  const double left =
+      *std::min_element(unloading.forces.begin(), unloading.forces.end()) / found.curve.forces[found.largest];
+  if (left > spec.fit[0])
+    found.shortUnloading =
+        fmt::format("the run ends at {:.3g} of the largest force, before the fit from {:.3g} on is reached",
+                    left, spec.fit[0]);
 
   const double time = history.column("time")[found.largest];
   const auto frame = frameAt(result, time);

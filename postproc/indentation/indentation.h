@@ -47,6 +47,8 @@ struct Indentation {
   };
   std::optional<Computed> computed;
   std::string noArea;  ///< why it is not known
+
+  std::string shortUnloading;  ///< what is missing of it for the fit; mostly empty
 };
 
 /// Throws `Error` that begins with an option for a run that is none: a body that is not of revolution, a tool that is no

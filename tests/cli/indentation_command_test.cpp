@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A sphere of radius 1 on an elastic body of revolution, 40 contact radii wide and deep.
 constexpr const char* kElastic = R"(
@@ -66,6 +67,17 @@ TEST_F(IndentationCommand, FindsTheModulusOfAnElasticBody) {
                 "tool: found \"cone\"; the run has the tools ball");
   expectRefusal(burnish("indentation out --fit 0.97,0.98"), "", "the unloading has 0 steps");
   expectRefusal(burnish("indentation out --fit 0.9,0.4"), "", "--fit");
+}
+
+TEST_F(IndentationCommand, DoubtsAnUnloadingThatEndsBeforeTheFit) {
+  write("scene.yaml", kElastic);
+  ASSERT_EQ(burnish("run scene.yaml -o out --quiet --set tools[0].motion.y=[0,-3.5e-3,-2.9e-3]").code, 0);
+  const Outcome found = burnish("indentation out");
+  EXPECT_EQ(found.code, 0);
+  EXPECT_THAT(found.out, HasSubstr("doubtful: the run ends at 0.6"));
+  EXPECT_THAT(found.out, HasSubstr(" of the largest force, before the fit from 0.4 on is reached\n"));
+  EXPECT_THAT(burnish("indentation out --json").out, HasSubstr("\"doubtful\":"));
+  EXPECT_THAT(burnish("indentation out --fit 0.8,0.98").out, Not(HasSubstr("doubtful")));
 }
 
 TEST_F(IndentationCommand, RefusesOtherRuns) {

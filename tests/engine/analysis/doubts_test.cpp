@@ -69,18 +69,18 @@ TEST(Balance, ABlockThatIsLetGoOfIsJudgedByTheWorkThatItHeld) {
 }
 
 /// A disc that is drawn over a block at a depth, in passes that are each by `lift` higher.
-test::Outcome drawnOver(double lift, int passes, const std::string& name) {
+test::Outcome drawnOver(double lift, int passes, const std::string& name, double clearance = 0.1) {
   return test::run(parseScene(fmt::format(R"(
 geometry: {{shape: rectangle, size: [2, 1], functions: [21, 11]}}
 material: {{law: neo-hookean, E: 1, nu: 0.3}}
 supports: [{{face: bottom, fix: [x, y]}}]
 tools:
   - {{name: disc, shape: cylinder, center: [0.8, 1.5], radius: 0.5,
-      path: {{course: raster, start: [0, -0.02], stroke: [0.4, 0], feed: [0, {}], passes: {}, speed: 1, clearance: [0, 0.1]}}}}
+      path: {{course: raster, start: [0, -0.02], stroke: [0.4, 0], feed: [0, {}], passes: {}, speed: 1, clearance: [0, {}]}}}}
 contact: [{{tool: disc, face: top, method: augmented-lagrangian}}]
 steps: [{{until: {}, count: {}}}]
 )",
-                                          lift, passes, 1.2 * passes, 24 * passes),
+                                          lift, passes, clearance, 1.2 * passes, 24 * passes),
                               name),
                    name);
 }
@@ -94,6 +94,13 @@ TEST(Passes, ThatTouchNothingAreDoubted) {
     return one.what.find("touches nothing") != std::string::npos;
   });
   EXPECT_EQ(doubt->detail, "2 of 3 passes");
+}
+
+TEST(Passes, WhoseToolStillTouchesWhenItIsLiftedAreDoubted) {
+  // The second pass is 0.03 deeper than the first.
+  const auto off = drawnOver(-0.03, 2, "off"), held = drawnOver(-0.03, 2, "held", 0.03);
+  EXPECT_FALSE(hasDoubt(off.summary, "still touches"));
+  EXPECT_TRUE(hasDoubt(held.summary, "disc still touches when it has been lifted"));
 }
 
 TEST(Stability, AColumnAboveItsBucklingLoadIsDoubted) {
