@@ -7,7 +7,7 @@
 namespace burnish {
 
 void PassWatch::update(const ToolPath& path, double time, bool touches) {
-  if (touches && path.isLifted(time)) held_.note(time);
+  if (touches && path.hasBeenLifted(time)) held_.note(time);
   const std::vector<ToolPath::Pass>& passes = path.passes();
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const bool ends = isSameTime(time, passes[k].end);

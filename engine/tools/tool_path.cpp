@@ -140,6 +140,15 @@ bool ToolPath::isLifted(double t) const {
   return t < down->begin * (1.0 - kRounding);
 }
 
+bool ToolPath::hasBeenLifted(double t) const {
+  constexpr double kRounding = 1e-12;
+  if (!isLifted(t)) return false;
+  const auto last = std::ranges::find_if(touches_.rbegin(), touches_.rend(),
+                                         [t](const Pass& touch) { return touch.end <= t; });
+  const auto up = std::ranges::find_if(legs_, [&](const Leg& leg) { return leg.begin == last->end; });
+  return up == legs_.end() || t >= up->end * (1.0 - kRounding);
+}
+
 Eigen::Vector3d ToolPath::wayAhead(double t) const {
   const auto next = std::ranges::find_if(touches_, [t](const Pass& touch) { return t < touch.end; });
   if (next == touches_.end()) return Eigen::Vector3d::Zero();

@@ -135,6 +135,9 @@ class ToolPath {
   /// Whether it has been lifted off a touch and does not come down to the next one yet. Never without clearance.
   bool isLifted(double t) const;
 
+  /// The same, and it is not on its way up any more.
+  bool hasBeenLifted(double t) const;
+
   /// Way of the part of a touch that the tool goes at time t or, in the air, that it comes down to; none behind the last.
   Eigen::Vector3d wayAhead(double t) const;
 
