@@ -139,8 +139,9 @@ HistoryTable readHistory(const std::filesystem::path& path) {
   HistoryTable table{.path = path, .columns = {}, .values = {}};
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    if (end == rest.size() && isOfRun(path)) break;
     std::string_view text = rest.substr(0, end);
+    const bool isOpen = end == rest.size();
+    if (isOpen && (isOfRun(path) || text.find_first_not_of(" \t\r") == std::string_view::npos)) break;
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (text.ends_with('\r')) text.remove_suffix(1);
     const std::vector<std::string_view> cells = split(text);

@@ -42,6 +42,7 @@ class MultigridOrDirect final : public LinearSolver {
     try {
       return direct_->solve(b);
     } catch (const std::bad_alloc&) {
+      --fallbacks_;
       doWithoutFactors();
       return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     }

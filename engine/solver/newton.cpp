@@ -90,12 +90,14 @@ bool goesToAndFro(const std::vector<double>& residuals) {
 /// what a place resists: the points of a rule that is split where a contact ends move with the unknowns.
 class Turns {
  public:
-  /// The part of the next correction that leads to where such a sequence would end (Aitken); 1 of others.
+  /// The part of the next correction that leads to where such a sequence would end (Aitken); 1 of others. All before it, of
+  /// this object, were taken whole.
   double partOf(const Eigen::VectorXd& correction) {
-    constexpr double kSlow = 0.5, kApart = 0.1;
+    constexpr double kSlow = 0.5, kSame = 1.05, kApart = 0.1;
     constexpr int kEnough = 3;
     const double ratio = last_.size() == 0 ? 0.0 : -correction.dot(last_) / last_.squaredNorm();
-    const bool isTurned = ratio > kSlow && (correction + ratio * last_).norm() < kApart * correction.norm();
+    const bool isTurned =
+        ratio > kSlow && ratio < kSame && (correction + ratio * last_).norm() < kApart * correction.norm();
     count_ = isTurned ? count_ + 1 : 0;
     last_ = correction;
     if (count_ < kEnough) return 1.0;
@@ -426,10 +428,12 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
     if (before) report.linearIterations.push_back(linear_->counts()->iterations - before->iterations);
     ++report.iterations;
     ++timings_.iterations;
+    const int shortened = report.backtracks;
     if (!take(t, correction, turns.partOf(correction.head(scales_.numForces)), target, x, report)) {
       report.outcome = NewtonOutcome::Inadmissible;
       return report;
     }
+    if (report.backtracks > shortened || report.cameFree) turns = Turns();
   }
 }
 

@@ -114,6 +114,18 @@ IndentationCurve unloadingOf(const IndentationCurve& curve, std::size_t largest)
   return {part(curve.depths), part(curve.forces)};
 }
 
+/// What is missing of an unloading of which a part of its first force is the end of the fit; empty for nothing.
+std::string shortUnloading(const IndentationCurve& curve, std::size_t largest,
+                           const IndentationCurve& unloading, double fitEnd) {
+  const double last = unloading.forces.back(), left = last / unloading.forces.front();
+  const auto next =
+      std::find(curve.forces.begin() + static_cast<std::ptrdiff_t>(largest), curve.forces.end(), last) + 1;
+  if (left <= fitEnd || (next != curve.forces.end() && *next <= 0.0)) return {};
+  return fmt::format(
+      "{} at {:.3g} of the first force of the unloading, before the fit from {:.3g} on is reached",
+      next == curve.forces.end() ? "the run ends" : "the force grows again", left, fitEnd);
+}
+
 std::optional<int> frameAt(const ResultReader& result, double time) {
   const std::vector<double> times = result.times();
   for (std::size_t k = 0; k < times.size(); ++k)
@@ -156,12 +168,7 @@ Indentation indentationOf(const ResultReader& result, const IndentationSpec& spe
   const IndentationCurve unloading = unloadingOf(found.curve, found.largest);
   found.found = oliverPharr(unloading, placed.indenter, {spec.fit[0], spec.fit[1], spec.epsilon, found.beta});
   found.modulus = (1.0 - found.nu * found.nu) * found.found.modulus;
-  const double left =
-      *std::min_element(unloading.forces.begin(), unloading.forces.end()) / found.curve.forces[found.largest];
-  if (left > spec.fit[0])
-    found.shortUnloading =
-        fmt::format("the run ends at {:.3g} of the largest force, before the fit from {:.3g} on is reached",
-                    left, spec.fit[0]);
+  found.shortUnloading = shortUnloading(found.curve, found.largest, unloading, spec.fit[0]);
 
   const double time = history.column("time")[found.largest];
   const auto frame = frameAt(result, time);

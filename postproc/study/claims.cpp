@@ -51,24 +51,17 @@ const MeasureSpec& measureNamed(const StatementSpec& statement, const std::strin
   throw Error(fmt::format("statement {}: there is no measure \"{}\"", statement.name, name));
 }
 
-/// Without a value where the results have no such thing.
-Measured measuredOrNote(const Study& study, const StudyRun& run, const MeasureSpec& measure,
-                        const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
-  try {
-    return evaluateMeasure(study, run, measure, studyDirectory, seen);
-  } catch (const Error& error) {
-    return {{}, error.what()};
-  }
-}
-
-JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const ClaimSpec& claim,
+JudgedClaim judgeClaim(const Study& study, const StatementSpec& statement, const ClaimSpec& claim,
                        const std::map<std::string, std::string>& parameters,
-                       const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
+                       const std::filesystem::path& studyDirectory, SeenProfiles& seen,
+                       std::vector<std::string>& faults) {
+  const MeasureSpec& measure = measureNamed(statement, claim.measure);
   std::vector<ClaimedValue> values;
   std::vector<Observed> numbers;
   for (const std::string& name : claim.runs) {
     const StudyRun& run = runNamed(study, fillIn(name, parameters));
-    values.push_back({run.label, measuredOrNote(study, run, measure, studyDirectory, seen)});
+    values.push_back(
+        {run.label, measuredOrFault(study, statement, run, measure, studyDirectory, seen, faults)});
     numbers.push_back({.value = values.back().measured.comparable()});
   }
   return {fillIn(claim.text, parameters), judge(claim.expectation(), numbers).verdict,
@@ -78,13 +71,12 @@ JudgedClaim judgeClaim(const Study& study, const MeasureSpec& measure, const Cla
 }  // namespace
 
 std::vector<JudgedClaim> judgeClaims(const Study& study, const StatementSpec& statement,
-                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen) {
+                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen,
+                                     std::vector<std::string>& faults) {
   std::vector<JudgedClaim> judged;
-  for (const ClaimSpec& claim : statement.claims) {
-    const MeasureSpec& measure = measureNamed(statement, claim.measure);
+  for (const ClaimSpec& claim : statement.claims)
     for (const auto& parameters : combinations(claim.vary))
-      judged.push_back(judgeClaim(study, measure, claim, parameters, studyDirectory, seen));
-  }
+      judged.push_back(judgeClaim(study, statement, claim, parameters, studyDirectory, seen, faults));
   return judged;
 }
 

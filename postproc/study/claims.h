@@ -14,8 +14,10 @@ struct JudgedClaim {
   std::string numbers;  ///< the values compared, in words
 };
 
-/// All claims of a statement in their order. Throws `Error` for runs and measures that do not exist.
+/// All claims of a statement in their order. faults: see `measuredOrFault`. Throws `Error` for runs and measures that do not
+/// exist.
 std::vector<JudgedClaim> judgeClaims(const Study& study, const StatementSpec& statement,
-                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen);
+                                     const std::filesystem::path& studyDirectory, SeenProfiles& seen,
+                                     std::vector<std::string>& faults);
 
 }  // namespace burnish

@@ -61,7 +61,7 @@ class Document {
       data_.push_back(hasEnded(run, directory_) ? std::optional<RunData>(RunData(run, directory_))
                                                 : std::nullopt);
     for (const StatementSpec& statement : study.spec.statements)
-      judged_.push_back(judgeClaims(study, statement, directory_, seen_));
+      judged_.push_back(judgeClaims(study, statement, directory_, seen_, faults_));
   }
 
   /// Of measures that were asked for what results do not have, so far.
@@ -204,7 +204,8 @@ class Document {
       std::vector<std::optional<double>> values;
       std::vector<std::string> marks;
       for (const StudyRun* run : runs) {
-        const Measured measured = measuredOrFault(statement, measure, *run);
+        const Measured measured =
+            measuredOrFault(study_, statement, *run, measure, directory_, seen_, faults_);
         values.push_back(measured.value);
         marks.push_back(notes.mark(measured.note));
       }
@@ -214,18 +215,6 @@ class Document {
     }
     const std::string below = notes.text();
     return markdownTable(columns) + (below.empty() ? "" : "\n" + below);
-  }
-
-  /// Without a value where the results have no such thing, which is kept as a fault.
-  Measured measuredOrFault(const StatementSpec& statement, const MeasureSpec& measure,
-                           const StudyRun& run) const {
-    try {
-      return evaluateMeasure(study_, run, measure, directory_, seen_);
-    } catch (const Error& error) {
-      faults_.push_back(fmt::format("{}: measure {} of statement {}: {}", study_.file.string(), measure.name,
-                                    statement.name, error.what()));
-      return {{}, error.what()};
-    }
   }
 
   std::string doubtMark(const StudyRun& run, Footnotes& notes) const {

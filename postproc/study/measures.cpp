@@ -263,6 +263,19 @@ Measured evaluateMeasure(const Study& study, const StudyRun& run, const MeasureS
   return std::visit(Evaluation(study, data, studyDirectory, seen), measure.what);
 }
 
+Measured measuredOrFault(const Study& study, const StatementSpec& statement, const StudyRun& run,
+                         const MeasureSpec& measure, const std::filesystem::path& studyDirectory,
+                         SeenProfiles& seen, std::vector<std::string>& faults) {
+  try {
+    return evaluateMeasure(study, run, measure, studyDirectory, seen);
+  } catch (const Error& error) {
+    const std::string fault = fmt::format("{}: measure {} of statement {}: {}", study.file.string(),
+                                          measure.name, statement.name, error.what());
+    if (std::ranges::count(faults, fault) == 0) faults.push_back(fault);
+    return {{}, "the results have no such thing"};
+  }
+}
+
 const StudyRun& runNamed(const Study& study, const std::string& name) {
   const auto found = std::find_if(study.runs.begin(), study.runs.end(),
                                   [&](const StudyRun& run) { return run.name == name; });

@@ -64,6 +64,12 @@ inline Measured evaluateMeasure(const Study& study, const StudyRun& run, const M
   return evaluateMeasure(study, run, measure, studyDirectory, seen);
 }
 
+/// A measure of a statement. No value where the results have no such thing, either, which is added to the faults, each once: study,
+/// measure, statement and what is wrong.
+Measured measuredOrFault(const Study& study, const StatementSpec& statement, const StudyRun& run,
+                         const MeasureSpec& measure, const std::filesystem::path& studyDirectory,
+                         SeenProfiles& seen, std::vector<std::string>& faults);
+
 /// The run of a name. Throws `Error` with the nearest name.
 const StudyRun& runNamed(const Study& study, const std::string& name);
 

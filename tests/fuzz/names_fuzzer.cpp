@@ -90,7 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const std::vector<ForeignBlock> blocks{{"", grid.Get()}};
   const std::vector<ForeignField> fields = foreignFieldsOf(blocks);
+  std::set<std::string> names;
   for (const ForeignField& field : fields) {
+    require(names.insert(field.name).second);
     const auto requireFound = [&](const std::string& name, int component) {
       requireShown(name);
       const auto found = findForeignField(fields, name);

@@ -69,16 +69,18 @@ std::optional<int> componentCalled(const ForeignField& field, const std::string&
   return std::nullopt;
 }
 
-/// Gives a field a name by which no field before it is found. taken: by what those are.
+/// Gives a field a name that none before it has, and by which none of these is found. taken: their names.
 void nameApart(ForeignField& field, std::set<std::string>& taken) {
   const auto isTaken = [&] {
-    return std::ranges::any_of(namesOf(field), [&](const std::string& name) { return taken.contains(name); });
+    return taken.contains(field.name) ||
+           std::ranges::any_of(namesOf(field), [&](const std::string& name) { return taken.contains(name); });
   };
   if (isTaken()) field.name = (field.ofCells ? "cells." : "points.") + field.name;
   const std::string first = field.name;
   for (int k = 2; isTaken(); ++k) field.name = fmt::format("{}_{}", first, k);
   std::ranges::copy(namesOf(field), std::inserter(taken, taken.end()));
   for (std::size_t k = 0; k < field.components.size(); ++k) taken.insert(numberedName(field, k));
+  taken.insert(field.name);
   if (hasOwn(field)) taken.insert(field.array);
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -260,7 +261,7 @@ std::vector<vtkIdType> reachedCells(vtkUnstructuredGrid& cells, const Eigen::Vec
   for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
     cells.GetCellPoints(cell, ids);
     if (ids->GetNumberOfIds() == 0) continue;
-    double low = of(ids->GetId(0)), high = low;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const vtkIdType id : *ids) {
       low = std::min(low, of(id));
       high = std::max(high, of(id));

@@ -787,6 +787,8 @@ TEST_F(Results, HistoryLeavesOutARowThatIsBeingWritten) {
   }
   overwrite(dir / "table.csv", "a,b\n1,2\n3,4");
   EXPECT_EQ(readHistory(dir / "table.csv").column("b"), (std::vector<double>{2.0, 4.0}));
+  overwrite(dir / "table.csv", "a,b\n1,2\n ");
+  EXPECT_EQ(readHistory(dir / "table.csv").numRows(), 1u);
   overwrite(dir / "spreadsheet.csv",
             "\xEF\xBB\xBF"
             "a,b\r\n1,2");

@@ -159,6 +159,15 @@ TEST(ForeignFields, HaveNamesOfTheirOwnThatOneCanGive) {
   EXPECT_EQ(chooseForeignField(fields, "S, Mises [MPa]").field.unit, "MPa");
   EXPECT_EQ(chooseForeignField(fields, "points.a_2").field.unit, "s");
   EXPECT_EQ(chooseForeignField(fields, "u.x").component, 0);
+
+  vtkNew<vtkUnstructuredGrid> tensors;  // whose names mean nothing without a component
+  add(*tensors->GetPointData(), "S", 6);
+  add(*tensors->GetPointData(), "T");
+  add(*tensors->GetCellData(), "S");
+  add(*tensors->GetCellData(), "T", 6);
+  const auto ofBoth = foreignFieldsOf({{"", tensors.Get()}});
+  EXPECT_TRUE(chooseForeignField(ofBoth, "cells.S").field.ofCells);
+  EXPECT_TRUE(chooseForeignField(ofBoth, "cells.T.xx").field.ofCells);
 }
 
 TEST_F(ForeignFiles, FieldsHaveNamesUnitsAndComponents) {

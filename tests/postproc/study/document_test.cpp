@@ -130,7 +130,10 @@ TEST_F(Document, GoesOnWhereAMeasureAsksForWhatResultsDoNotHave) {
   EXPECT_THAT(faults, Each(HasSubstr(": measure none of statement meshes: ")));
   const std::string text = readText(directory_.path() / "study.md");
   EXPECT_THAT(text, HasSubstr("1 holds, 1 does not hold, 2 cannot be told"));
-  EXPECT_THAT(text, HasSubstr("no value"));
+  EXPECT_THAT(text, HasSubstr("the results have no such thing"));
+  EXPECT_THAT(text, Not(HasSubstr(directory_.path().string()))) << "the same wherever the study lies";
+  statement.runs.clear();  // so that the claim alone asks
+  EXPECT_EQ(writeDocument(study_, directory_.path(), {directory_.path() / "study.md", {}}).size(), 3u);
 }
 
 TEST_F(Document, ShowsPicturesWhereTheyAreOrFromTheGallery) {

@@ -299,7 +299,8 @@ TEST(Claims, ShowTheNumbersThatDecide) {
                        .within = {},
                        .range = {}}};
   SeenProfiles seen;
-  const auto judged = judgeClaims(study, statement, directory.path(), seen);
+  std::vector<std::string> faults;
+  const auto judged = judgeClaims(study, statement, directory.path(), seen, faults);
   ASSERT_EQ(judged.size(), 2U);
   EXPECT_EQ(judged[0].verdict, Verdict::Holds);
   EXPECT_EQ(judged[0].text, "NURBS from above");
@@ -312,7 +313,7 @@ TEST(Claims, ShowTheNumbersThatDecide) {
   claim.vary = {};
   claim.runs = {"nurbs-fine", "nurbs-middle"};
   const auto verdictOf = [&] {
-    return judgeClaims(study, statement, directory.path(), seen).front().verdict;
+    return judgeClaims(study, statement, directory.path(), seen, faults).front().verdict;
   };
   claim.expect = ClaimSpec::Expect::Different;
   claim.within = 0.04;
