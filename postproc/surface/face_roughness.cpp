@@ -268,6 +268,10 @@ Profile profileOfChord(const ModelRecord& model, const FrameRecord& frame, const
 std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec) {
   if (!spec.line.empty() && !spec.within.empty())
     return {{"line", "found beside within; expected one of the two"}};
+  return {};
+}
+
+std::vector<InputProblem> unreadableIn(const RoughnessSpec& spec) {
   for (const auto& [key, text] : {std::pair{"within", spec.within}, std::pair{"line", spec.line}})
     if (!text.empty() && !areTwoPoints(text))
       return {

@@ -127,6 +127,18 @@ TEST(HeightMap, HasTheHeightsWhereTheyAreSeen) {
   }
 }
 
+TEST(FaceRoughness, KnowsPlacesThatAreNone) {
+  RoughnessSpec spec;
+  EXPECT_TRUE(unreadableIn(spec).empty());
+  for (const char* box : {"0,0:1,1", "0,0,0:1,1,1"}) {
+    spec.within = box;
+    EXPECT_TRUE(unreadableIn(spec).empty()) << box;
+  }
+  spec.within = "1,1";
+  ASSERT_EQ(unreadableIn(spec).size(), 1U);
+  EXPECT_EQ(unreadableIn(spec).front().path, "within");
+}
+
 TEST(FaceRoughness, SaysWhatWouldBeRight) {
   const Sample slab = samples::rubbedSlab(), cube = samples::cube();
   RoughnessSpec spec = top();
