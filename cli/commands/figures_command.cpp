@@ -115,7 +115,8 @@ ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   if (arguments.only.empty()) {
     const std::string csv = runsCsv(plan, result.jobs);
     writeFileAtomically(arguments.output / "runs.csv", std::as_bytes(std::span(csv)));
-    faults = writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
+    faults =
+        writeDocument(study, arguments.output, {.file = arguments.document, .gallery = arguments.gallery});
     if (!arguments.json) printOut("document {}\n", arguments.document.string());
   }
   if (arguments.json) printResultsJson(plan, result.jobs, arguments);

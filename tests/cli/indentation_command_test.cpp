@@ -75,7 +75,8 @@ TEST_F(IndentationCommand, DoubtsAnUnloadingThatEndsBeforeTheFit) {
   const Outcome found = burnish("indentation out");
   EXPECT_EQ(found.code, 0);
   EXPECT_THAT(found.out, HasSubstr("doubtful: the run ends at 0.6"));
-  EXPECT_THAT(found.out, HasSubstr(" of the first force of the unloading, before the fit from 0.4 on is reached\n"));
+  EXPECT_THAT(found.out,
+              HasSubstr(" of the first force of the unloading, before the fit from 0.4 on is reached\n"));
   EXPECT_THAT(burnish("indentation out --json").out, HasSubstr("\"doubtful\":"));
   EXPECT_THAT(burnish("indentation out --fit 0.8,0.98").out, Not(HasSubstr("doubtful")));
 }
