@@ -120,9 +120,9 @@ bool leftGaps(const NewtonReport& report, const NewtonOptions& options) {
          report.constraint >= options.constraintTolerance;
 }
 
-/// Why the last search ended, with the numbers that decided.
-std::string endOf(const NewtonReport& report, const NewtonOptions& options) {
-  if (leftGaps(report, options))
+/// Why the last search ended, with the numbers that decided. gapsRemain: see `leftGaps`.
+std::string endOf(const NewtonReport& report, const NewtonOptions& options, bool gapsRemain) {
+  if (gapsRemain)
     return fmt::format(
         "forces came into balance (relative residual {:.2e}), but averaged gaps did not vanish under the contact (largest "
         "{:.2e} of the body's size, tolerance {:.0e})",
@@ -130,11 +130,11 @@ std::string endOf(const NewtonReport& report, const NewtonOptions& options) {
   return fmt::format("{} (last relative residual {:.2e})", describe(report.outcome), report.residual);
 }
 
-/// minJ: the smallest J of the last iterate. changes: see `ContactFindings`. leftGaps: see there.
-std::string adviceFor(double minJ, int changes, bool leftGaps) {
+/// minJ: the smallest J of the last iterate. changes: see `ContactFindings`. gapsRemain: see `leftGaps`.
+std::string adviceFor(double minJ, int changes, bool gapsRemain) {
   if (minJ < kDistortedJ)
     return "the mesh is close to folding: give it more knot spans where the body is squeezed, or finer steps";
-  if (leftGaps && changes == 0)
+  if (gapsRemain && changes == 0)
     return "take another contact.method (integral-augmented-lagrangian or augmented-lagrangian), another contact parameter, "
            "or spans along the contact face that are less different in size";
   if (changes > 0)
@@ -152,10 +152,11 @@ Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
   const Stepping& stepping = simulation.stepping;
   const NewtonReport& report = stepping.lastFailure();
   const NewtonOptions& options = simulation.newton.options();
+  const bool gapsRemain = leftGaps(report, options);
   std::vector<std::string> findings{fmt::format("at t = {:.6g} the smallest step ({:.3g}) failed: {}",
                                                 stepping.state().time, stepping.lastFailedStep(),
-                                                endOf(report, options))};
-  if (report.worstUnknown >= 0 && !leftGaps(report, options))
+                                                endOf(report, options, gapsRemain))};
+  if (report.worstUnknown >= 0 && !gapsRemain)
     findings.push_back(fmt::format("the residual is largest at {}", placeOf(model, report.worstUnknown)));
   const ContactFindings contact = contactFindings(model);
   std::ranges::copy(contact.findings, std::back_inserter(findings));
@@ -167,8 +168,7 @@ Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
                   model.bodies().size() > 1 ? fmt::format(", in body '{}'", folding.name) : ""));
   std::ranges::copy(toolFindings(model), std::back_inserter(findings));
   std::ranges::copy(releaseFindings(scene, stepping.state().time), std::back_inserter(findings));
-  return {fmt::format("{}", fmt::join(findings, "; ")),
-          adviceFor(minJ, contact.changes, leftGaps(report, options))};
+  return {fmt::format("{}", fmt::join(findings, "; ")), adviceFor(minJ, contact.changes, gapsRemain)};
 }
 
 template Failure diagnose(const Scene&, const Simulation<2>&);

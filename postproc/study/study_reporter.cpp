@@ -42,8 +42,8 @@ void StudyReporter::checkMeasure(const std::string& path, const MeasureSpec& mea
       report(path + ".field", fmt::format("found {} fields; allowed: one.", profile->place.fields.size()));
   }
   if (const auto* roughness = std::get_if<RoughnessMeasure>(&measure.what))
-    for (const auto& problems : {conflictsIn(roughness->face), unreadableIn(roughness->face)})
-      for (const InputProblem& problem : problems) report(path + "." + problem.path, problem.text);
+    for (const InputProblem& problem : mistakesIn(roughness->face))
+      report(path + "." + problem.path, problem.text);
   if (const auto* summary = std::get_if<SummaryMeasure>(&measure.what))
     requireKnown(path + ".entry", summary->entry, numberNames());
   const auto* history = std::get_if<HistoryMeasure>(&measure.what);

@@ -266,17 +266,16 @@ Profile profileOfChord(const ModelRecord& model, const FrameRecord& frame, const
 }  // namespace
 
 std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec) {
-  if (!spec.line.empty() && !spec.within.empty())
-    return {{"line", "found beside within; expected one of the two"}};
-  return {};
+  if (spec.line.empty() || spec.within.empty()) return {};
+  return {{"line", "found beside within; expected one of the two"}};
 }
 
-std::vector<InputProblem> unreadableIn(const RoughnessSpec& spec) {
+std::vector<InputProblem> mistakesIn(const RoughnessSpec& spec) {
   for (const auto& [key, text] : {std::pair{"within", spec.within}, std::pair{"line", spec.line}})
     if (!text.empty() && !areTwoPoints(text))
       return {
           {key, fmt::format("found {}; expected two points, X0,Y0:X1,Y1, in space with Z", quoted(text))}};
-  return {};
+  return conflictsIn(spec);
 }
 
 FaceProfile faceProfile(const ModelRecord& model, const FrameRecord& frame, const RoughnessSpec& spec) {

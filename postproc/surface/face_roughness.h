@@ -47,8 +47,8 @@ inline bool hasProfile(const ModelRecord& model, const RoughnessSpec& spec) {
 /// What keys say that cannot be together, by the key.
 std::vector<InputProblem> conflictsIn(const RoughnessSpec& spec);
 
-/// What is no two points, neither of a plane nor in space, by the key.
-std::vector<InputProblem> unreadableIn(const RoughnessSpec& spec);
+/// The same, and what is no two points, neither of a plane nor in space: all that can be told without a body.
+std::vector<InputProblem> mistakesIn(const RoughnessSpec& spec);
 
 /// The face of a plane body in a frame, along its chord, or one in space along a line: its profile, levelled and, with a
 /// cut-off, filtered, and the numbers of it.

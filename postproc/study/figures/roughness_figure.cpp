@@ -41,8 +41,8 @@ Alternative RoughnessFigure::about() {
 
 void RoughnessFigure::check(const std::string& path, const StudyReporter& reporter) const {
   reporter.requireSameLength(path + ".time_labels", timeLabels.size(), "times", times.size());
-  for (const auto& problems : {conflictsIn(face), unreadableIn(face)})
-    for (const InputProblem& problem : problems) reporter.report(path + "." + problem.path, problem.text);
+  for (const InputProblem& problem : mistakesIn(face))
+    reporter.report(path + "." + problem.path, problem.text);
 }
 
 void RoughnessFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {

@@ -129,14 +129,14 @@ TEST(HeightMap, HasTheHeightsWhereTheyAreSeen) {
 
 TEST(FaceRoughness, KnowsPlacesThatAreNone) {
   RoughnessSpec spec;
-  EXPECT_TRUE(unreadableIn(spec).empty());
+  EXPECT_TRUE(mistakesIn(spec).empty());
   for (const char* box : {"0,0:1,1", "0,0,0:1,1,1"}) {
     spec.within = box;
-    EXPECT_TRUE(unreadableIn(spec).empty()) << box;
+    EXPECT_TRUE(mistakesIn(spec).empty()) << box;
   }
   spec.within = "1,1";
-  ASSERT_EQ(unreadableIn(spec).size(), 1U);
-  EXPECT_EQ(unreadableIn(spec).front().path, "within");
+  ASSERT_EQ(mistakesIn(spec).size(), 1U);
+  EXPECT_EQ(mistakesIn(spec).front().path, "within");
 }
 
 TEST(FaceRoughness, SaysWhatWouldBeRight) {
