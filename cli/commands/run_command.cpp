@@ -122,8 +122,9 @@ void reportMissing(const RunOutputs& outputs) {
   int interrupted = 0;
   for (const auto& [what, file, reason, command] : outputs.missing()) {
     if (!reason.empty())
-      printError("burnish: the {} {} was not drawn: {}; the results are there, this draws it: {}\n", what,
-                 file.string(), reason, command);
+      printError(
+          "burnish: the {} {} was not drawn: {}; the results are there; once that is mended, this draws it: {}\n",
+          what, file.string(), reason, command);
     else if (interrupted++ == 0)
       printError(
           "burnish: interrupted by a signal before all pictures were drawn; the results are complete, "

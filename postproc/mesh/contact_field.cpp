@@ -141,6 +141,11 @@ bool isContactField(const std::string& name) {
   return fieldNamed(name) != nullptr;
 }
 
+bool isFrictionField(const std::string& name) {
+  const ContactField* field = fieldNamed(name);
+  return field != nullptr && field->ofFriction;
+}
+
 std::vector<std::string> contactFieldsOf(const FrameRecord& frame) {
   const bool rubs = std::any_of(frame.contact.begin(), frame.contact.end(),
                                 [](const ContactRecord& c) { return !c.quadratureSliding.empty(); });

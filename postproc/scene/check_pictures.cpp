@@ -11,9 +11,79 @@
 namespace burnish {
 namespace {
 
-/// Fields that these bodies and their materials have not.
+/// Faces with the quadrature points of a contact, and what they touch.
+struct ContactFaces {
+  std::vector<FaceSpec> slaves;
+  std::vector<FaceSpec> masters;  ///< of pairs
+  bool rub = false;               ///< one of them has friction
+};
+
+ContactFaces contactFacesOf(const Scene& scene) {
+  ContactFaces result;
+  for (const ContactSpec& contact : scene.contact) {
+    result.slaves.push_back(contact.place);
+    for (const FaceSpec& face : contact.against) result.masters.push_back(face);
+    result.rub |= contact.options.hasFriction();
+  }
+  for (const SelfContactSpec& contact : scene.selfContact) {
+    for (const FaceSpec& face : contact.places()) result.slaves.push_back(face);
+    result.rub |= contact.options.hasFriction();
+  }
+  return result;
+}
+
+bool contactIsRead(const CheckContext& c) {
+  return c.clean("contact") && c.clean("self_contact");
+}
+
+/// Fields of contact that no face of the scene has.
+void checkContactField(const CheckContext& c, const std::string& path, const std::string& field) {
+  if (!contactIsRead(c)) return;
+  const ContactFaces faces = contactFacesOf(c.scene);
+  if (faces.slaves.empty())
+    c.report(path, fmt::format("found {}, but nothing is in contact (contact, self_contact); allowed here: a "
+                               "field of bodies, such as von_mises.",
+                               field));
+  else if (isFrictionField(field) && !faces.rub)
+    c.report(path,
+             fmt::format("found {}, but no contact has friction; allowed here: contact_pressure.", field));
+}
+
+/// Whether a probe's face may be one of these.
+bool isAmong(const std::vector<FaceSpec>& faces, const ProbeSpec& probe) {
+  return std::ranges::any_of(faces, [&](const FaceSpec& face) {
+    const bool ofBody = probe.bodies.empty() || std::ranges::count(probe.bodies, face.body) > 0;
+    return face.face == probe.face && ofBody &&
+           (probe.patch.empty() || face.patch.empty() || face.patch == probe.patch);
+  });
+}
+
+/// A probe of contact fields lies along a face that has them.
+void checkContactFace(const CheckContext& c, const std::string& path, const ProbeSpec& probe) {
+  const std::string key = path + ".face";
+  if (probe.face.empty() || !std::ranges::any_of(probe.fields, isContactField) || !c.clean(key) ||
+      !contactIsRead(c) || !c.dimensionIsKnown())
+    return;
+  if (c.scene.dim() == 3)
+    return c.report(path + ".field",
+                    "found a contact field along a face of a body in space; allowed here: fields of bodies; "
+                    "pictures show contact fields.");
+  const ContactFaces faces = contactFacesOf(c.scene);
+  if (faces.slaves.empty() || isAmong(faces.slaves, probe)) return;
+  std::vector<std::string> known;
+  for (const FaceSpec& face : faces.slaves)
+    known.push_back(face.face + (face.body.empty() ? "" : " of " + face.body));
+  c.report(key, fmt::format("found {}, {}; allowed for contact fields: {}.", probe.face,
+                            isAmong(faces.masters, probe)
+                                ? "which a pair has as against; the other face has its contact fields"
+                                : "which is in no contact",
+                            fmt::join(known, ", ")));
+}
+
+/// Fields that these bodies, their materials and their contact have not.
 void checkField(const CheckContext& c, const std::string& path, const std::string& field) {
   if (!c.clean(path)) return;
+  if (isContactField(field)) return checkContactField(c, path, field);
   const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.zx";
   if (threeD && c.dimensionIsKnown() && c.scene.dim() == 2)
     c.report(path, fmt::format("found {}, a component of three-dimensional scenes; allowed here: the "
@@ -101,6 +171,7 @@ void checkProbes(const DocumentContext& c) {
     if (c.clean("steps")) checkTimes(c, path + ".times", probe.times);
     for (const InputProblem& problem : conflictsIn(probe))
       if (const std::string key = path + "." + problem.path; c.clean(key)) c.report(key, problem.text);
+    checkContactFace(c, path, probe);
     if (probe.isOverTime() && !probe.times.empty() && c.clean(path + ".times"))
       c.report(path + ".times", "found times of values over time; allowed: none.");
     checkBodyNames(c, path, probe.bodies);

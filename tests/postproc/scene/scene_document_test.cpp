@@ -223,6 +223,42 @@ contact:
 steps: [{until: 1, count: 2}]
 )";
 
+const std::string kPressedPair = R"(bodies:
+  - {name: block, geometry: {shape: rectangle, size: [2, 1], spans: [4, 2]}, material: {law: neo-hookean, E: 1, nu: 0.3}}
+  - {name: plate, geometry: {shape: rectangle, size: [2, 1], spans: [3, 2], origin: [0, 1]}, material: {law: neo-hookean, E: 1, nu: 0.3}}
+supports:
+  - {body: block, face: bottom, fix: [x, y]}
+  - {body: plate, face: top, move: {times: [0, 1], x: [0, 0], y: [0, -0.1]}}
+contact:
+  - {body: block, face: top, against: {body: plate, face: bottom}}
+steps: [{until: 1, count: 2}]
+)";
+
+TEST(SceneDocument, RefusesContactFieldsThatNoFaceWillHave) {
+  const std::string noContact = block.substr(0, block.find("tools:")) + "steps: [{until: 1, count: 1}]\n";
+  EXPECT_THAT(errorOf(noContact + "pictures: [{field: contact_pressure}]\n"),
+              HasSubstr("pictures[0].field: found contact_pressure, but nothing is in contact"));
+  EXPECT_THAT(errorOf(kPress + "pictures: [{field: slip}]\n"),
+              HasSubstr("pictures[0].field: found slip, but no contact has friction; allowed here: "
+                        "contact_pressure."));
+  EXPECT_EQ(errorOf(replaced(kPress, "{tool: disc, face: top}", "{tool: disc, face: top, friction: 0.1}") +
+                    "pictures: [{field: slip}]\nprobes: [{name: a, face: top, field: [sliding]}]\n"),
+            "no error");
+  EXPECT_THAT(
+      errorOf(kPress + "probes: [{name: a, face: left, field: [contact_pressure]}]\n"),
+      HasSubstr("probes[0].face: found left, which is in no contact; allowed for contact fields: top."));
+}
+
+TEST(SceneDocument, ProbesContactFieldsOfTheFaceOfAPairThatHasThem) {
+  EXPECT_EQ(
+      errorOf(kPressedPair + "probes: [{name: a, body: [block], face: top, field: [contact_pressure]}]\n"),
+      "no error");
+  EXPECT_THAT(
+      errorOf(kPressedPair + "probes: [{name: a, body: [plate], face: bottom, field: [contact_pressure]}]\n"),
+      HasSubstr("probes[0].face: found bottom, which a pair has as against; the other face has its "
+                "contact fields; allowed for contact fields: top of block."));
+}
+
 /// What is wrong with a document or the model of its scene.
 std::string reportErrorOf(const std::string& yaml) {
   try {
