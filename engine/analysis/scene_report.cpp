@@ -124,6 +124,29 @@ std::vector<InputProblem> fadingWarnings(const Scene& scene) {
   return warnings;
 }
 
+/// Of tools whose force goes to zero although it alone holds them.
+std::vector<InputProblem> unloadedToolWarnings(const Scene& scene) {
+  std::vector<InputProblem> warnings;
+  for (std::size_t k = 0; k < scene.tools.size(); ++k) {
+    const auto& carry = scene.tools[k].carry;
+    if (!carry || !carry->schedule) continue;
+    const std::vector<double>& values = carry->schedule->values;
+    const auto loaded = std::ranges::find_if(values, [](double value) { return value != 0.0; });
+    const auto zero = std::find(loaded, values.end(), 0.0);
+    if (zero == values.end()) continue;
+    const auto at = zero - values.begin();
+    warnings.push_back(
+        {fmt::format("tools[{}].carry.schedule.values[{}]", k, at),
+         fmt::format(
+             "without its force nothing holds tool '{}' in its place, and steps near t = {:.4g} may find no "
+             "equilibrium; `until: {:.4g}` of the tool takes it away, and its force with it little by little, "
+             "or let the schedule end at a small share, such as 0.01",
+             scene.tools[k].name, carry->schedule->times[static_cast<std::size_t>(at)],
+             at > 0 ? carry->schedule->times[static_cast<std::size_t>(at) - 1] : 0.0)});
+  }
+  return warnings;
+}
+
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -162,6 +185,7 @@ std::vector<InputProblem> sceneWarnings(const Scene& scene, const Model<Dim>& mo
   std::ranges::move(roomWarnings(scene), std::back_inserter(warnings));
   std::ranges::move(toolWarnings(scene, model), std::back_inserter(warnings));
   std::ranges::move(fadingWarnings(scene), std::back_inserter(warnings));
+  std::ranges::move(unloadedToolWarnings(scene), std::back_inserter(warnings));
   if (scene.wanted.onlyWarns) std::ranges::move(unknownColumns(scene, columns), std::back_inserter(warnings));
   return warnings;
 }

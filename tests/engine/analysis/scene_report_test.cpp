@@ -176,6 +176,23 @@ TEST(SceneReport, WarnsOfToolsThatNothingTouches) {
   EXPECT_THAT(warningsOf(replaced(kPress, "1.5]", "1.54]")), ElementsAre());
 }
 
+TEST(SceneReport, WarnsOfForcesOfToolsThatGoToZero) {
+  const auto warningsOf = [](const std::string& values) {
+    const std::string motion = "motion: {times: [0, 1], y: [0, -0.05]}";
+    return reportOf(parseScene(
+                        replaced(kPress, motion,
+                                 "carry: {y: -0.01, schedule: {times: [0, 0.5, 1], values: " + values + "}}"),
+                        "test.yaml"))
+        .warnings;
+  };
+  EXPECT_THAT(warningsOf("[0, 1, 0.01]"), ElementsAre());
+  EXPECT_THAT(warningsOf("[0, 1, 0]"),
+              ElementsAre(testing::AllOf(
+                  HasSubstr("tools[0].carry.schedule.values[2]: without its force nothing holds "
+                            "tool 'disc' in its place, and steps near t = 1 may"),
+                  HasSubstr("`until: 0.5` of the tool"))));
+}
+
 /// Warnings of the press with another Poisson's ratio, degree, formulation.
 std::vector<std::string> lockingOf(double nu, int degree, const std::string& formulation) {
   return reportOf(parseScene(kPress, "test.yaml",
