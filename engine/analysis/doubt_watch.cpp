@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/analysis/contact_side.h"
 #include "engine/analysis/pressed_part.h"
+#include "engine/core/quoted.h"
 #include "engine/scene/path_of_tool.h"
 
 namespace burnish {
@@ -28,7 +30,7 @@ double penetrationPerSpan(const Contact& term) {
 /// Whether a face rubs on something. Friction holds what would leave its equilibrium without it, and the symmetric
 /// part of its tangent says nothing about that.
 template <int Dim>
-bool rubs(const Model<Dim>& model) {
+bool anyContactRubs(const Model<Dim>& model) {
   const auto any = [](const auto& contacts) {
     return std::any_of(contacts.begin(), contacts.end(), [](const auto& contact) {
       return contact.term->options().hasFriction() && !contact.term->hasLostTouch();
@@ -50,6 +52,7 @@ DoubtWatch<Dim>::DoubtWatch(const Scene& scene, const Model<Dim>& model)
     : model_(model),
       scene_{.rezones = scene.rezoning.has_value(), .touchesItself = !scene.selfContact.empty()},
       rezoned_(scene.rezoning ? &model.bodies()[scene.rezonedBody()] : nullptr),
+      peaks_(model.contacts().size() + model.pairs().size()),
       toolWatch_(model),
       tipWatch_(model),
       toolDoubts_(toolWatch_.sentences().size()),
@@ -74,7 +77,7 @@ void DoubtWatch<Dim>::update(const RunHistory<Dim>& history, const std::function
   if (rezoned_ != nullptr)
     note(Condition::NewBoundary,
          s.rezonings.boundaryError > limitOf(Condition::NewBoundary) * rezoned_->body.size(), s.time);
-  if (!rubs(model_)) {
+  if (!anyContactRubs(model_)) {
     const int unstable = unstableDirections();
     note(Condition::Unstable, unstable > limitOf(Condition::Unstable), s.time, unstable);
   }
@@ -118,6 +121,9 @@ void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
     refinement = std::max(refinement, penetrationPerSpan(*pair.term) / spanShare);
   for (const auto& contact : model_.selfContacts())
     refinement = std::max(refinement, penetrationPerSpan(*contact.term) / spanShare);
+  std::size_t peak = 0;
+  for (const auto& pair : model_.contacts()) peaks_[peak++].update(*pair.term, time);
+  for (const auto& pair : model_.pairs()) peaks_[peak++].update(*pair.term, time);
   note(Condition::Penetration, refinement > 1.0, time, refinement);
   note(Condition::LostContact, lost, time);
   note(Condition::InsideTheBody, inside > limitOf(Condition::InsideTheBody), time, inside);
@@ -167,6 +173,29 @@ void DoubtWatch<Dim>::watchTools(const StateQuantities& current, const Eigen::Ve
   }
 }
 
+/// Contacts with less than a share of the largest force touch in passing, and are not judged.
+template <int Dim>
+std::vector<DoubtRecord> DoubtWatch<Dim>::peakRecords() const {
+  constexpr double kShare = 0.1;
+  double largest = 0.0;
+  for (const PeakContact& peak : peaks_) largest = std::max(largest, peak.force());
+  const auto& contacts = model_.contacts();
+  std::vector<DoubtRecord> records;
+  for (std::size_t k = 0; k < peaks_.size(); ++k) {
+    if (!peaks_[k].isCoarse() || peaks_[k].force() < kShare * largest) continue;
+    const bool ofTool = k < contacts.size();
+    const FacePlace& place = ofTool ? contacts[k].place : model_.pairs()[k - contacts.size()].place;
+    const std::string name =
+        ofTool ? model_.tools()[contacts[k].tool]->name : model_.pairs()[k - contacts.size()].name;
+    records.push_back(
+        {fmt::format("the largest force of contact {} is carried by {} of face {}, "
+                     "and may be off by tens of per cent: finer knot spans along that face, where it touches",
+                     quoted(name), fewControlPoints(), model_.faces().textOf(place)),
+         peaks_[k].time(), 1, peaks_[k].pointsText()});
+  }
+  return records;
+}
+
 template <int Dim>
 std::vector<DoubtRecord> DoubtWatch<Dim>::records() const {
   std::vector<DoubtRecord> records;
@@ -181,6 +210,7 @@ std::vector<DoubtRecord> DoubtWatch<Dim>::records() const {
   const std::vector<std::string> sentences = toolWatch_.sentences();
   for (std::size_t k = 0; k < toolDoubts_.size(); ++k) add(toolDoubts_[k], sentences[k]);
   for (std::size_t k = 0; k < tipDoubts_.size(); ++k) add(tipDoubts_[k], tipWatch_.sentence(k, tips_[k]));
+  std::ranges::move(peakRecords(), std::back_inserter(records));
   for (std::size_t k = 0; k < passes_.size(); ++k) {
     if (!paths_[k]) continue;
     const std::string& name = model_.tools()[k]->name;
@@ -216,6 +246,7 @@ void DoubtWatch<Dim>::continueFrom(const DoubtWatch& before) {
   tips_ = before.tips_;
   touched_ = before.touched_;
   passes_ = before.passes_;
+  peaks_ = before.peaks_;
 }
 
 template <int Dim>
@@ -224,6 +255,7 @@ void DoubtWatch<Dim>::archive(StateArchive& archive) {
   archiveAll(archive, "tool", toolDoubts_);
   archiveAll(archive, "pair", tipDoubts_);
   archiveAll(archive, "pass", passes_);
+  archiveAll(archive, "contact", peaks_);
   for (std::size_t k = 0; k < tips_.size(); ++k)
     archive.together(fmt::format("tip{}", k), tips_[k].depth, tips_[k].turn, tips_[k].span);
   archive.fixedField("touched", touched_);

@@ -7,6 +7,7 @@
 
 #include "engine/analysis/model.h"
 #include "engine/analysis/pass_watch.h"
+#include "engine/analysis/peak_contact.h"
 #include "engine/analysis/run_history.h"
 #include "engine/analysis/tip_watch.h"
 #include "engine/analysis/tool_watch.h"
@@ -49,6 +50,7 @@ class DoubtWatch {
   void watchPaths(double time);
   void watchWork(const RunHistory<Dim>& history);
   void watchTools(const StateQuantities& current, const Eigen::VectorXd& x);
+  std::vector<DoubtRecord> peakRecords() const;
   bool hasLostResolution(const ContactPair<Dim>& pair) const;
   bool needsNewMesh(const FacePlace& place) const;
 
@@ -57,6 +59,7 @@ class DoubtWatch {
   const ModelBody<Dim>* rezoned_;               ///< the body that is meshed anew; null for none
   std::vector<std::optional<ToolPath>> paths_;  ///< per tool
   std::vector<PassWatch> passes_;               ///< the same, of tools with a path and a contact
+  std::vector<PeakContact> peaks_;              ///< per contact with a tool, then per pair of faces
   ToolWatch<Dim> toolWatch_;
   TipWatch<Dim> tipWatch_;
   std::array<Doubt, kConditions> doubts_{};

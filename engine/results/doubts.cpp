@@ -48,8 +48,8 @@ constexpr std::array<Row, kConditions> kTable{{
            1.0 / doubt.worst, doubt.worstTime);
      }},
     {Condition::LostContact, 3,
-     [](double limit, const SceneTraits& scene) {
-       const std::string few = fmt::format("fewer than {} control points carry a contact", countText(limit));
+     [](double, const SceneTraits& scene) {
+       const std::string few = fewControlPoints() + " carry a contact";
        const std::string deep = fmt::format(
            "face penetrates by more than {} of a knot span: the mesh does not "
            "resolve it any more",
@@ -142,6 +142,10 @@ const Row& rowOf(Condition condition) {
 }
 
 }  // namespace
+
+std::string fewControlPoints() {
+  return fmt::format("fewer than {} control points", countText(limitOf(Condition::LostContact)));
+}
 
 std::string shareText(double share) {
   return share == 0.1 ? "a tenth" : fmt::format("{:g} %", 100.0 * share);

@@ -32,6 +32,9 @@ double limitOf(Condition condition);
 /// The other limit of penetration: a share of the tool's radius.
 inline constexpr double kDoubtfulRadiusShare = 0.01;
 
+/// The limit of `LostContact` in words: "fewer than three control points".
+std::string fewControlPoints();
+
 /// A share in words: 0.1 as "a tenth", others in per cent.
 std::string shareText(double share);
 

@@ -55,6 +55,26 @@ TEST(Passage, AToolThatGoesAllTheWayThroughIsNotLost) {
   EXPECT_GT(outcome.history.column("disc.fy").back(), 1.0);
 }
 
+TEST(PeakContact, AForceOnOneOrTwoControlPointsIsDoubted) {
+  const auto pressed = [](int functions, double depth) {
+    Scene scene = deepDisc(4);
+    scene.body.geometry.mesh.functions = {functions, 11};
+    scene.tools.front().motion->y = std::vector<double>{0.0, depth};
+    scene.contact.front().options.method = Enforcement::IntegralAugmentedLagrangian;
+    return test::run(scene, "pressed");
+  };
+  const std::string carried =
+      "the largest force of contact \"disc\" is carried by fewer than three control points";
+  const auto coarse = pressed(9, -0.002);
+  ASSERT_TRUE(hasDoubt(coarse.summary, carried));
+  EXPECT_EQ(coarse.summary.doubts.front().detail, "1 control point");
+  const auto fine = pressed(121, -0.002);
+  EXPECT_FALSE(hasDoubt(fine.summary, carried));
+  EXPECT_LT(coarse.history.column("disc.fy").back(), 0.6 * fine.history.column("disc.fy").back());
+  // The first states of a contact that grows are carried by few on any mesh.
+  EXPECT_FALSE(hasDoubt(pressed(21, -0.4).summary, carried));
+}
+
 /// An elastic block that is pressed in a few steps and let go of gives all work back; the error of its sum does not.
 TEST(Balance, ABlockThatIsLetGoOfIsJudgedByTheWorkThatItHeld) {
   Scene scene = deepDisc(8);

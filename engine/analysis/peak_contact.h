@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+
+#include "engine/contact/face_contact.h"
+#include "engine/core/state_archive.h"
+
+namespace burnish {
+
+/// Watches, state by state, how many control points carry a contact when its force is largest: a tool that comes down
+/// is carried by one of them at first, on any mesh.
+class PeakContact {
+ public:
+  /// Takes in the last evaluated state of a contact. Point-wise penalties, which know no active functions, are
+  /// not watched.
+  template <int Dim>
+  void update(const FaceContact<Dim>& contact, double time);
+
+  /// The largest force, per thickness in the plane.
+  double force() const { return force_; }
+
+  /// When it was.
+  double time() const { return time_; }
+
+  /// Whether fewer control points than `limitOf(Condition::LostContact)`, and not all of the face, carried it.
+  bool isCoarse() const;
+
+  /// "1 control point"
+  std::string pointsText() const;
+
+  void archive(StateArchive& archive);
+
+ private:
+  double force_ = 0.0, time_ = 0.0;
+  int active_ = 0;    ///< control points that carried it
+  bool all_ = false;  ///< these are all of the face
+};
+
+}  // namespace burnish
