@@ -13,6 +13,7 @@ struct ContactPoint {
   std::vector<int> unknowns;
   double gap = 0.0;                   ///< g, positive outside
   Eigen::Vector<double, Dim> normal;  ///< n, outward normal of the partner
+  int part = 0;                       ///< of the partner, see `GapQuery`
   Eigen::VectorXd dGap;               ///< N = ∂g, unknowns
   Eigen::MatrixXd d2Gap;              ///< ∂²g, unknowns x unknowns; empty unless it was asked for
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -65,6 +66,13 @@ double zeroBetween(double a, double fa, double b, double fb, const F& f) {
     }
   }
   return 0.5 * (a + b);
+}
+
+/// Where a statement that holds at a, and not at b, ceases to hold: halving to rounding.
+template <class F>
+double changeBetween(double a, double b, const F& holds) {
+  for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b)) (holds(m) ? a : b) = m;
+  return b;
 }
 
 template <int Dim>
@@ -391,11 +399,12 @@ std::vector<typename IntegralContactTerm<Dim>::Span> IntegralContactTerm<Dim>::r
   const Span& span = face_.spans()[e];
   if (hasFriction_ && state != SpanState::Open) return fine_[e];
   if (state == SpanState::Open) return {span};
-  if (state == SpanState::Closed) return rules_[e];
   if constexpr (Dim == 3) {
-    return fine_[e];
+    return state == SpanState::Closed ? rules_[e] : fine_[e];
   } else {
-    std::vector<double> ends = signChanges(values);
+    std::vector<double> ends = partEnds(values);
+    if (state == SpanState::Closed && ends.empty()) return rules_[e];
+    if (state == SpanState::Cut) std::ranges::copy(signChanges(values), std::back_inserter(ends));
     ends.insert(ends.end(), cuts_[e].begin(), cuts_[e].end());
     return rulesBetween(e, ends, static_cast<int>(span.weights.size()));
   }
@@ -420,6 +429,35 @@ std::vector<double> IntegralContactTerm<Dim>::signChanges(const SpanValues& valu
     before = here;
   }
   return changes;
+}
+
+/// Where another part of the partner begins below a span, in the plane.
+template <int Dim>
+std::vector<double> IntegralContactTerm<Dim>::partEnds(const SpanValues& values) const {
+  const Span& span = face_.spans()[values.number];
+  const Samples& samples = samples_[values.number];
+  const auto partAt = [&](const Parameter& xi, const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1) {
+    const auto contact = partner_->at(pointOf(values, xi, R, number), PointDetail::Gap);
+    return contact ? contact->part : 0;
+  };
+  const auto partOfSample = [&](Eigen::Index k) { return partAt(samples.xi.col(k), samples.R.col(k)); };
+  const int first = partOfSample(0);
+  bool isOne = partOfSample(samples.R.cols() - 1) == first;
+  for (Eigen::Index q = 0; q < span.R.cols() && isOne; ++q)
+    isOne = partAt(span.xi.col(q), span.R.col(q), static_cast<int>(span.firstPoint + q)) == first;
+  if (isOne) return {};
+  std::vector<double> ends;
+  int before = first;
+  for (Eigen::Index k = 1; k < samples.R.cols(); ++k) {
+    const int here = partOfSample(k);
+    if (here == before) continue;
+    ends.push_back(changeBetween(samples.xi(0, k - 1), samples.xi(0, k), [&](double xi) {
+      const Parameter place = Parameter::Constant(xi);
+      return partAt(place, face_.trace().shape(span.number, place).R) == before;
+    }));
+    before = here;
+  }
+  return ends;
 }
 
 template <int Dim>

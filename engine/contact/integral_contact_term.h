@@ -26,8 +26,10 @@ namespace burnish {
 /// are the parameters where spans have their mean length, and go with the reciprocal `RelativeLength`.
 ///
 /// In the plane a span is split where λ + r g changes its sign, and where partnership ends: p has a kink
-/// there. The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
-/// takes no part in that. In space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
+/// there; and where the curvature of a tool jumps, as between the tip and a flank of a wedge: so has p its second derivative.
+/// The split moves with the unknowns, but the integrands agree on both sides of it, so that the tangent
+/// takes no part in that: between splits they are smooth, and where their rules end does not count. At a crease, where the
+/// normals of a tool jump, it lacks a little. In space such a span has twice the points in each direction; so have, with friction, all spans that are pressed:
 /// tractions have kinks between stick and slip, too, and points that moved with a split would be no rule for
 /// these. Where the partner has segments, spans that are pressed are split at their ends as well.
 ///
@@ -92,6 +94,7 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   void splitSpans();
   std::vector<Span> rulesBetween(std::size_t e, const std::vector<double>& ends, int points) const;
   std::vector<double> signChanges(const SpanValues& values) const;
+  std::vector<double> partEnds(const SpanValues& values) const;
   SpanValues valuesOf(std::size_t e, const Eigen::VectorXd& x) const;
   static SlavePoint<Dim> pointOf(const SpanValues& values, const Parameter& xi,
                                  const Eigen::Ref<const Eigen::VectorXd>& R, int number = -1);

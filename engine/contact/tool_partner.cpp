@@ -54,6 +54,7 @@ std::optional<ContactPoint<Dim>> ToolPartner<Dim>::at(const SlavePoint<Dim>& poi
   ContactPoint<Dim> contact;
   contact.gap = found.point.gap;
   contact.normal = found.point.normal.template head<Dim>();
+  contact.part = found.point.part;
   if (detail == PointDetail::Gap) return contact;
 
   const Eigen::Index n = point.R.size(), numDofs = std::ssize(dofs_), size = Dim * n + numDofs;

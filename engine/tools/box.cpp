@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,15 +36,23 @@ GapQuery RoundedBox::query(const Vector3d& x) const {
   const Vector3d local = axes.transpose() * (x - center);
   const Vector3d side = local.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
   const Vector3d beyond = local.cwiseAbs() - (0.5 * size.array() - radius).matrix();  // the core box
+  constexpr std::array powersOfThree{1, 3, 9};
+  const auto sideNumber = [&](Eigen::Index d) {
+    return (side(d) < 0.0 ? 1 : 2) * powersOfThree.at(static_cast<std::size_t>(d));
+  };
   GapQuery answer;
   if (Eigen::Index nearest = 0; beyond.maxCoeff(&nearest) <= 0.0) {
     answer.gap = beyond(nearest) - radius;
     answer.normal = side(nearest) * axes.col(nearest);
+    answer.part = sideNumber(nearest);
     return answer;
   }
   const Vector3d isBeyond = (beyond.array() > 0.0).cast<double>();
-  return roundGap(axes * beyond.cwiseMax(0.0).cwiseProduct(side),
-                  axes * isBeyond.asDiagonal() * axes.transpose(), radius);
+  answer = roundGap(axes * beyond.cwiseMax(0.0).cwiseProduct(side),
+                    axes * isBeyond.asDiagonal() * axes.transpose(), radius);
+  for (Eigen::Index d = 0; d < 3; ++d)
+    if (isBeyond(d) > 0.0) answer.part += sideNumber(d);
+  return answer;
 }
 
 /// Its corners are those of the core box, grown by parts of a sphere (3D) or circle.

@@ -19,7 +19,8 @@ GapQuery Edge::query(const Vector3d& x) const {
   const Vector3d front = direction.normalized();
   const Vector3d across = along.cross(front).normalized();
   const double s = (x - tip).dot(across);
-  const ProfileGap profile = wedgeProfile(std::abs(s), (x - tip).dot(front), radians(0.5 * angle), radius);
+  ProfileGap profile = wedgeProfile(std::abs(s), (x - tip).dot(front), radians(0.5 * angle), radius);
+  if (s < 0.0) profile.part = -profile.part;
   return lifted(profile, s < 0.0 ? Vector3d(-across) : across, front);
 }
 

@@ -410,7 +410,20 @@ template <int P>
 GapQuery NurbsDistance<P>::query(const Eigen::Vector3d& x) const {
   const Foot foot = closest(x);
   const bool isInside = std::all_of(foot.held.begin(), foot.held.end(), [](int held) { return held == 0; });
-  return isInside ? smoothGap(foot, x) : cornerGap(foot, x);
+  GapQuery answer = isInside ? smoothGap(foot, x) : cornerGap(foot, x);
+  answer.part = partOf(foot);
+  return answer;
+}
+
+/// Of a curve: its knot spans, and a number below zero for each of the corners between and beyond its pieces.
+template <int P>
+int NurbsDistance<P>::partOf(const Foot& foot) const {
+  if constexpr (P == 1) {
+    const Interval& interval = intervals_[0][static_cast<std::size_t>(foot.piece[0])];
+    if (foot.held[0] != 0) return -1 - foot.piece[0] - (foot.held[0] > 0 ? 1 : 0);
+    return std::clamp(patch_.basis().direction(0).findSpan(foot.xi(0)), interval.first, interval.last);
+  }
+  return 0;
 }
 
 template class NurbsDistance<1>;

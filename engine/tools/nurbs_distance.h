@@ -74,6 +74,7 @@ class NurbsDistance {
 
   GapQuery smoothGap(const Foot& foot, const Eigen::Vector3d& x) const;
   GapQuery cornerGap(const Foot& foot, const Eigen::Vector3d& x) const;
+  int partOf(const Foot& foot) const;
   Eigen::Vector3d meanNormal(const Foot& foot) const;
   bool isAtRim(const Foot& foot) const;
 

@@ -36,6 +36,7 @@ ProfileGap wedgeProfile(double r, double h, double halfAngle, double radius) {
   ProfileGap answer;
   answer.normal = {std::cos(halfAngle), std::sin(halfAngle)};
   answer.gap = fromCenter.dot(answer.normal) - radius;
+  answer.part = 1;
   return answer;
 }
 
@@ -52,7 +53,7 @@ AxisPlace placeAbout(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
 GapQuery lifted(const ProfileGap& profile, const Eigen::Vector3d& radial, const Eigen::Vector3d& axis) {
   Eigen::Matrix<double, 3, 2> frame;
   frame << radial, axis;
-  return {profile.gap, frame * profile.normal, frame * profile.dNormal * frame.transpose()};
+  return {profile.gap, frame * profile.normal, frame * profile.dNormal * frame.transpose(), profile.part};
 }
 
 GapQuery turned(const ProfileGap& profile, const AxisPlace& place) {

@@ -17,13 +17,14 @@ struct ProfileGap {
   double gap = 0.0;
   Eigen::Vector2d normal = Eigen::Vector2d::UnitY();
   Eigen::Matrix2d dNormal = Eigen::Matrix2d::Zero();
+  int part = 0;  ///< as of `GapQuery`
 };
 
 /// Distance to a point less a radius; straight ahead in the point itself.
 ProfileGap circleProfile(const Eigen::Vector2d& fromCenter, double radius);
 
 /// A wedge with its tip at the origin that opens downwards: the sharp wedge with its tip in the centre of the
-/// rounding, grown by the radius. halfAngle: radians, below π/2.
+/// rounding, grown by the radius. Its flank is part 1. halfAngle: radians, below π/2.
 ProfileGap wedgeProfile(double r, double h, double halfAngle, double radius);
 
 /// A point by its distance r from an axis and its height h along it.

@@ -67,13 +67,14 @@ GapQuery Tool::query(const ToolPose& pose, const Eigen::Vector3d& x) const {
   if (pose.angle == 0.0) return shape.query(x - pose.displacement);
   const Eigen::Matrix3d R = Eigen::AngleAxisd(pose.angle, axis).toRotationMatrix();
   const GapQuery own = shape.query(R.transpose() * (x - pose.displacement - pivot) + pivot);
-  return {own.gap, R * own.normal, R * own.dNormal * R.transpose()};
+  return {own.gap, R * own.normal, R * own.dNormal * R.transpose(), own.part};
 }
 
 ToolGap Tool::queryWithDofs(const ToolPose& pose, const Eigen::Vector3d& x) const {
   ToolGap answer;
   answer.point = query(pose, x);
-  const auto& [gap, n, H] = answer.point;
+  const Eigen::Vector3d& n = answer.point.normal;
+  const Eigen::Matrix3d& H = answer.point.dNormal;
   const Eigen::Vector3d arm = axis / turnLength;
   Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
   if (followsSurface()) directions.col(kNormal) = pose.normal;

@@ -31,6 +31,7 @@ GapQuery smoothMinimum(const GapQuery& a, const GapQuery& b, double width) {
   answer.normal = 0.5 * (a.normal + b.normal) + df * difference;
   answer.dNormal = 0.5 * (a.dNormal + b.dNormal) + df * (a.dNormal - b.dNormal) +
                    ddf * difference * difference.transpose();
+  answer.part = d < 0.0 ? a.part : b.part;
   return answer;
 }
 
@@ -48,9 +49,13 @@ Vector3d onSurface(const Union& joined, Vector3d x) {
 }  // namespace
 
 GapQuery Union::query(const Vector3d& x) const {
+  constexpr int kMostParts = 1024;  // of one of the shapes
   GapQuery answer = parts.front().query(x);
-  for (auto part = parts.begin() + 1; part != parts.end(); ++part)
-    answer = smoothMinimum(answer, part->query(x), blend);
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    GapQuery other = parts[k].query(x);
+    other.part += kMostParts * static_cast<int>(k);
+    answer = smoothMinimum(answer, other, blend);
+  }
   return answer;
 }
 

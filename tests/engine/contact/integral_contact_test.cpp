@@ -1,12 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "engine/contact/integral_contact_term.h"
 #include "engine/contact/tool_contact.h"
 #include "engine/contact/tool_partner.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
+#include "engine/tools/box.h"
+#include "engine/tools/edge.h"
+#include "engine/tools/nurbs_shape.h"
+#include "engine/tools/union.h"
 #include "tests/engine/contact/pressed_block.h"
 #include "tests/engine/solid/term_check.h"
 
@@ -134,6 +140,44 @@ TEST(IntegralContact, ConstraintsOfAPressedFaceAreIntegralsOfTheGap) {
   EXPECT_NEAR(term.state().area, 1.0, 1e-14);
   EXPECT_NEAR(term.state().largestPenetration(), -term.smallestReferenceGap(gapTo(plate, plate.pose(0.0))),
               2e-3);
+}
+
+/// Tools whose curvature jumps within the span that they press: a wedge with a tip, a box with its corner, two discs, a curve.
+std::vector<Tool> kinkedTools() {
+  const Edge wedge{{0.47, 0.48, 0.0}, {0.1, -1.0, 0.0}, Direction(Eigen::Vector3d::UnitZ()), 150.0, 0.05};
+  const RoundedBox box{{0.75, 0.62, 0.0}, {0.6, 0.3, 1.0}, 0.1, Eigen::Matrix3d::Identity()};
+  Eigen::Matrix3Xd points(3, 6);
+  points << 0.2, 0.3, 0.45, 0.55, 0.7, 0.9, 0.6, 0.5, 0.47, 0.49, 0.5, 0.62, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0;
+  const Patch<1, 3> curve(
+      TensorBasis<1>({UnivariateBasis::bspline(KnotVector(2, {0, 0, 0, 1, 2, 3, 4, 4, 4}))}), points,
+      Eigen::VectorXd::Ones(6));
+  return {{"wedge", wedge},
+          {"box", box},
+          {"discs", Union{{Cylinder{{0.4, 0.67, 0.0}, {0.0, 0.0, 1.0}, 0.2},
+                           Cylinder{{0.6, 0.57, 0.0}, {0.0, 0.0, 1.0}, 0.1}},
+                          0.0}},
+          {"curve", makeNurbsShape(curve, false)}};
+}
+
+TEST(IntegralContact, ToolsWhoseCurvatureJumpsHaveAConsistentTangentAndExactForces) {
+  const Body<2> body = block(2, BasisFamily::BSpline);
+  const int first = 2 * body.numNodes;
+  for (const Tool& tool : kinkedTools()) {
+    IntegralContactTerm<2> term(body, 0, faceFromName<2>("top"), onTool<2>(tool), integral(), first,
+                                noneHeld(first));
+    const Eigen::VectorXd x = test::randomState(first + term.numMultipliers(), 2e-3, 7);
+    // Where the discs meet the normal jumps, too, and the tangent does not know that such a place moves.
+    EXPECT_LT(test::tangentError(term, 0.0, x, 1e-6), tool.name == "discs" ? 1e-5 : 1e-6) << tool.name;
+
+    // The force of the flat face without multipliers is r times the area between it and the tool.
+    static_cast<void>(test::forceOf(term, 0.0, Eigen::VectorXd::Zero(x.size())));
+    constexpr int kPieces = 200000;
+    double area = 0.0;
+    for (int k = 0; k < kPieces; ++k)
+      area += std::max(0.0, -tool.query(tool.pose(0.0), {(k + 0.5) / kPieces, 0.5, 0.0}).gap) / kPieces;
+    EXPECT_GT(area, 1e-3) << tool.name;
+    EXPECT_NEAR(term.state().pressed, kParameter * area, 1e-6 * kParameter * area) << tool.name;
+  }
 }
 
 /// Control points that a support holds across the face share the multiplier of their neighbour.
