@@ -42,8 +42,9 @@ SteppingState continuedSteps(const Simulation<Dim>& before, const Model<Dim>& ne
 }
 
 template <int Dim>
-MeshRenewal<Dim>::MeshRenewal(const Scene& scene, std::size_t body, const Simulation<Dim>& initial)
-    : scene_(scene), number_(body), volume_(bodyOf(initial).bulk->weights().sum()) {}
+MeshRenewal<Dim>::MeshRenewal(const Scene& scene, std::size_t body, const Simulation<Dim>& initial,
+                              const Team& team)
+    : scene_(scene), number_(body), team_(team), volume_(bodyOf(initial).bulk->stressFreeVolume()) {}
 
 template <int Dim>
 typename MeshRenewal<Dim>::Next MeshRenewal<Dim>::tried(Simulation<Dim>& simulation,
@@ -90,7 +91,7 @@ typename MeshRenewal<Dim>::Settled MeshRenewal<Dim>::settledOn(
     SteppingState start = startOf(*model);
     start.iterations += failedIterations;
     model->releaseBehind(start.time, start.x);
-    next.simulation = std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start));
+    next.simulation = std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start), team_);
     next.settlement = settle(*next.simulation, bodyOf(*next.simulation), parts);
     if (next.settlement.report.outcome == NewtonOutcome::Converged) break;
     failedIterations += next.settlement.report.iterations;
@@ -105,7 +106,7 @@ RezoningRecord MeshRenewal<Dim>::recordOf(const Simulation<Dim>& before, const S
   return {.time = before.stepping.state().time,
           .energyLost = before.recorder.current().strainEnergy - now.recorder.current().strainEnergy,
           .gapWork = after.settlement.gapWork,
-          .volumeDrift = bodyOf(now).bulk->weights().sum() / volume_ - 1.0,
+          .volumeDrift = bodyOf(now).bulk->stressFreeVolume() / volume_ - 1.0,
           .boundaryError = mesh.boundaryError,
           .quality = mesh.quality,
           .smallestSpan = mesh.smallestSpan,
@@ -145,7 +146,7 @@ typename MeshRenewal<Dim>::Next MeshRenewal<Dim>::restoredSimulation() const {
   if (!body_) return nullptr;
   auto model = rebuildModel(scene_, *body_);
   SteppingState start = model->startState();
-  return std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start));
+  return std::make_unique<Simulation<Dim>>(scene_, std::move(model), std::move(start), team_);
 }
 
 template SteppingState continuedSteps(const Simulation<2>&, const Model<2>&);

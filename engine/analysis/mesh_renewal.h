@@ -48,9 +48,9 @@ class MeshRenewal {
  protected:
   using Next = std::unique_ptr<Simulation<Dim>>;
 
-  /// body: its number. The scene, which asks for rezoning, must outlive the object. initial: the simulation in which
-  /// the run begins.
-  MeshRenewal(const Scene& scene, std::size_t body, const Simulation<Dim>& initial);
+  /// body: its number. Team and scene, which asks for rezoning, must outlive the object. initial: the simulation in which
+  /// the run begins. What follows is to be called by all ranks of the team.
+  MeshRenewal(const Scene& scene, std::size_t body, const Simulation<Dim>& initial, const Team& team);
 
   /// What `attempt` answers, in the current state as a resumed run has it; null, with the reason noted, where that
   /// cannot be evaluated or `attempt` throws `Error`.
@@ -90,6 +90,7 @@ class MeshRenewal {
 
   const Scene& scene_;
   std::size_t number_;
+  const Team& team_;
   double volume_;  ///< stress-free, of the body
   std::vector<RezoningRecord> records_;
   NewtonReport lastReport_;

@@ -121,8 +121,8 @@ double smallestSpanOn(const Patch<3>& box, FaceId face) {
 
 }  // namespace
 
-Regrader::Regrader(const Scene& scene, const Simulation<3>& initial)
-    : MeshRenewal<3>(scene, scene.rezonedBody(), initial),
+Regrader::Regrader(const Scene& scene, const Simulation<3>& initial, const Team& team)
+    : MeshRenewal<3>(scene, scene.rezonedBody(), initial, team),
       meshes_(followingMeshes(scene, scene.rezonedBody())),
       due_(meshes_.size() > 1 ? meshes_[1].from : kNever) {}
 

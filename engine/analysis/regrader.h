@@ -16,9 +16,9 @@ namespace burnish {
 /// parameters (`regraded`), and `settle` brings the body into equilibrium. `followingMeshes` says when and how.
 class Regrader : public MeshRenewal<3> {
  public:
-  /// The scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run
+  /// Team and scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run
   /// begins.
-  Regrader(const Scene& scene, const Simulation<3>& initial);
+  Regrader(const Scene& scene, const Simulation<3>& initial, const Team& team);
 
   /// Whether the tool is about to leave the part of its path that the mesh was made for. Not while forces fade of
   /// supports and tools that have let go.

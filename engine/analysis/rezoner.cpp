@@ -18,8 +18,8 @@ Eigen::MatrixXd ownPositions(const Body<2>& body) {
 
 }  // namespace
 
-Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial)
-    : MeshRenewal<2>(scene, scene.rezonedBody(), initial),
+Rezoner::Rezoner(const Scene& scene, const Simulation<2>& initial, const Team& team)
+    : MeshRenewal<2>(scene, scene.rezonedBody(), initial, team),
       choice_(meshChoice(scene, initial)),
       trigger_(choice_.options, choice_.body, choice_.travel, initial),
       origin_(ownPositions(bodyOf(initial).body)) {}

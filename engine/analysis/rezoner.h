@@ -15,9 +15,9 @@ namespace burnish {
 /// state to the new mesh, where `settle` brings it into equilibrium.
 class Rezoner : public MeshRenewal<2> {
  public:
-  /// The scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run
+  /// Team and scene, which asks for rezoning, must outlive the object. initial: the simulation in which the run
   /// begins.
-  Rezoner(const Scene& scene, const Simulation<2>& initial);
+  Rezoner(const Scene& scene, const Simulation<2>& initial, const Team& team);
 
   /// Whether the last accepted state calls for a new mesh. Not while forces fade of supports and tools that have let go,
   /// nor while nothing may touch the face along which spans are distributed.

@@ -56,7 +56,7 @@ class Run {
         pathSteps_(scene),
         output_(directory, checkedRecord(resumes), simulation_->recorder.columns(), resumes,
                 simulation_->newton.linearSolver().isIterative(), observer, team_) {
-    if (scene.rezoning) rezoner_.emplace(scene, *simulation_);
+    if (scene.rezoning) rezoner_.emplace(scene, *simulation_, team_);
   }
 
   RunSummary execute() {
@@ -371,25 +371,6 @@ void requireDivisible(const Scene& scene) {
     problems.push_back(
         {"solver.linear",
          "found direct, whose factors several processes cannot divide; allowed: multigrid, auto."});
-  if (scene.rezoning && scene.dim() == 3)
-    problems.push_back(
-        {"rezoning",
-         "found a mesh that follows a tool, which one process computes; allowed on several: none."});
-  for (std::size_t k = 0; k < scene.supports.size(); ++k)
-    if (scene.supports[k].until)
-      problems.push_back(
-          {fmt::format("supports[{}].until", k),
-           "found a support that lets go, which one process computes; allowed on several: none."});
-  for (std::size_t k = 0; k < scene.tools.size(); ++k)
-    if (scene.tools[k].until)
-      problems.push_back(
-          {fmt::format("tools[{}].until", k),
-           "found a tool that is taken away, which one process computes; allowed on several: none."});
-  const std::span<const BodySpec> bodies = scene.allBodies();
-  for (std::size_t number = 0; number < bodies.size(); ++number)
-    if (bodies[number].initial)
-      problems.push_back({scene.bodyKey(number, "initial"),
-                          "found an initial state, which one process computes; allowed on several: none."});
   if (!problems.empty()) throw Error(textWithPlaces(scene, problems));
 }
 

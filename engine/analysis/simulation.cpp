@@ -36,11 +36,11 @@ std::vector<Projection<Dim>> projectionsOf(const Model<Dim>& model) {
 
 template <int Dim>
 Simulation<Dim>::Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> itsModel, SteppingState start,
-                            const Team& team)
+                            const Team& team, std::optional<Division> division)
     : model(std::move(itsModel)),
       terms(model->terms()),
       newton(terms, model->prescribed(), residualScales(*model), scene.solver.newton,
-             hierarchyFor(scene.solver.newton.linear, *model, team), team),
+             hierarchyFor(scene.solver.newton.linear, *model, team), team, std::move(division)),
       stepping(
           newton, terms, [this](double t) { return model->target(t); }, scene.solver.stepping,
           std::move(start),
@@ -79,7 +79,8 @@ std::unique_ptr<Simulation<Dim>> letGo(const Scene& scene, Simulation<Dim>& befo
   const SteppingState state = before.stepping.state();
   StateArchive saved;
   before.recorder.archive(saved);
-  auto next = std::make_unique<Simulation<Dim>>(scene, std::move(before.model), state, team);
+  const auto division = team.isAlone() ? std::nullopt : std::optional(before.newton.system().division());
+  auto next = std::make_unique<Simulation<Dim>>(scene, std::move(before.model), state, team, division);
   StateArchive restored(saved.values());
   next->recorder.archive(restored);
   return next;

@@ -23,9 +23,9 @@ std::optional<Hierarchy> hierarchyFor(const LinearSolverOptions& options, const 
 /// A model with everything that solves and records it: what is replaced when the body is remeshed.
 template <int Dim>
 struct Simulation {
-  /// Scene and team must outlive the simulation.
+  /// Scene and team must outlive the simulation. division: of a model that ranks have divided before.
   Simulation(const Scene& scene, std::unique_ptr<Model<Dim>> model, SteppingState start,
-             const Team& team = alone());
+             const Team& team = alone(), std::optional<Division> division = {});
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

@@ -77,19 +77,44 @@ BulkTerm<Dim>::BulkTerm(const SpanQuadrature<Dim>& quadrature, Material material
 template <int Dim>
 std::vector<Eigen::Matrix3d> BulkTerm<Dim>::gradientsOfLaw(const Eigen::VectorXd& x) const {
   std::vector<Eigen::Matrix3d> gradients(J_.size());
-  forEachGradient(quadrature_, x, [&](std::size_t point, const Eigen::Matrix3d& F) {
-    gradients[point] = elasticGradient(point, F);
-  });
+  forEachGradient(
+      quadrature_, [&](std::size_t span) { return firstPoint(span); }, x,
+      [&](std::size_t point, const Eigen::Matrix3d& F) { gradients[point] = elasticGradient(point, F); });
   return gradients;
+}
+
+template <int Dim>
+PointStates BulkTerm<Dim>::carried(const Eigen::VectorXd& x) const {
+  PointStates states = points_.carried(gradientsOfLaw(x));
+  if (team_->isAlone()) return states;
+  constexpr Eigen::Index kTensor = 9;
+  const Eigen::Index numbers = states.numbers.rows();
+  Eigen::MatrixXd columns(kTensor + numbers, std::ssize(states.b_e));
+  for (Eigen::Index q = 0; q < columns.cols(); ++q)
+    columns.col(q) << states.b_e[static_cast<std::size_t>(q)].reshaped(), states.numbers.col(q);
+  columns = portion().whole(std::move(columns), Receivers::All);
+  states.numbers = columns.bottomRows(numbers);
+  states.b_e.clear();
+  for (const auto& column : columns.colwise())
+    states.b_e.emplace_back(column.template head<kTensor>().reshaped(3, 3));
+  return states;
+}
+
+template <int Dim>
+double BulkTerm<Dim>::stressFreeVolume() const {
+  const Eigen::VectorXd all = portion().whole(weights_.transpose(), Receivers::All).transpose();
+  return all.sum();
 }
 
 template <int Dim>
 double BulkTerm<Dim>::largestStretch(const Eigen::VectorXd& x) const {
   double largest = 0.0;
-  forEachGradient(quadrature_, x, [&](std::size_t, const Eigen::Matrix3d& F) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> b(F * F.transpose(), Eigen::EigenvaluesOnly);
-    largest = std::max(largest, std::sqrt(b.eigenvalues()(2)));
-  });
+  forEachGradient(
+      quadrature_, [&](std::size_t span) { return firstPoint(span); }, x,
+      [&](std::size_t, const Eigen::Matrix3d& F) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> b(F * F.transpose(), Eigen::EigenvaluesOnly);
+        largest = std::max(largest, std::sqrt(b.eigenvalues()(2)));
+      });
   return largest;
 }
 

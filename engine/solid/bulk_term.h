@@ -65,11 +65,14 @@ class BulkTerm : public Term {
   /// Weights of the portion's points by stress-free volume.
   const Eigen::VectorXd& weights() const { return weights_; }
 
-  /// What goes along to a new reference configuration: the accepted state with displacements x. This and what
-  /// follows is for a process alone.
-  PointStates carried(const Eigen::VectorXd& x) const { return points_.carried(gradientsOfLaw(x)); }
+  /// What goes along to a new reference configuration: the accepted state with displacements x, of all of the body. To be
+  /// called by all ranks.
+  PointStates carried(const Eigen::VectorXd& x) const;
 
-  /// Largest principal stretch since the reference configuration, over quadrature points.
+  /// Of all of the body. To be called by all ranks.
+  double stressFreeVolume() const;
+
+  /// Largest principal stretch since the reference configuration, over the portion's points.
   double largestStretch(const Eigen::VectorXd& x) const;
 
  protected:
@@ -87,7 +90,7 @@ class BulkTerm : public Term {
     return stretch_.empty() ? 1.0 : stretch_[point].determinant();
   }
 
-  /// The deformation gradients that the law sees at the quadrature points, with displacements x.
+  /// The deformation gradients that the law sees at the portion's points, with displacements x. To be called by all ranks.
   virtual std::vector<Eigen::Matrix3d> gradientsOfLaw(const Eigen::VectorXd& x) const;
 
   /// Evaluates the law at one point from its accepted state and adds to the span's summary; false if it
@@ -114,6 +117,7 @@ class BulkTerm : public Term {
 
   /// Where the points of a span begin among those of the portion.
   int firstPoint(std::size_t span) const { return firstPoints_[span]; }
+  std::span<const int> firstPoints() const { return firstPoints_; }
 
   /// Numbers of the spans that this rank works on, and of those among them that are its own, of no other rank.
   std::vector<int> workedOn() const;

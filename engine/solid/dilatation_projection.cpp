@@ -203,17 +203,16 @@ void DilatationProjection<Dim>::divideAmong(const Team& team, std::vector<int> w
 }
 
 template <int Dim>
-Eigen::VectorXd DilatationProjection<Dim>::project(const SpanQuadrature<Dim>& quadrature,
+Eigen::VectorXd DilatationProjection<Dim>::project(std::span<const int> firstPoints,
                                                    const Eigen::VectorXd& values) const {
-  const auto points = [&](std::size_t e) {
-    const auto& span = quadrature.spans()[e];
-    return Eigen::seqN(span.firstPoint, span.weights.size());
-  };
+  const auto points = [&](std::size_t e) { return Eigen::seqN(firstPoints[e], spans_[e].N.cols()); };
   const Eigen::VectorXd coefficients =
       sumOverSpans([&](std::size_t e) -> Eigen::VectorXd { return spans_[e].L * values(points(e)); });
   Eigen::VectorXd result(values.size());
-  for (std::size_t e = 0; e < spans_.size(); ++e)
+  for (const int number : workedOn_) {
+    const auto e = static_cast<std::size_t>(number);
     result(points(e)) = spans_[e].N.transpose() * coefficients(spans_[e].functions);
+  }
   return result;
 }
 

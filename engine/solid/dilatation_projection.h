@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/core/team.h"
@@ -67,8 +68,9 @@ class DilatationProjection {
     return sum;
   }
 
-  /// Π applied to values at the quadrature points of the body, for a process alone.
-  Eigen::VectorXd project(const SpanQuadrature<Dim>& quadrature, const Eigen::VectorXd& values) const;
+  /// Π applied to values at the points of the spans that this rank works on. firstPoints: per span the place of its first
+  /// one. To be called by all ranks.
+  Eigen::VectorXd project(std::span<const int> firstPoints, const Eigen::VectorXd& values) const;
 
  private:
   std::vector<Span> spans_;

@@ -168,7 +168,7 @@ std::vector<Eigen::Matrix3d> ProjectedTerm<Dim>::gradientsOfLaw(const Eigen::Vec
   Eigen::VectorXd dilatations(std::ssize(gradients));
   for (Eigen::Index k = 0; k < dilatations.size(); ++k)
     dilatations(k) = dilatationOf(gradients[static_cast<std::size_t>(k)]);
-  const Eigen::VectorXd projected = projection_.project(this->quadrature_, dilatations);
+  const Eigen::VectorXd projected = projection_.project(this->firstPoints(), dilatations);
   const int m = gradientColumns(this->quadrature_.kinematics());
   for (Eigen::Index k = 0; k < dilatations.size(); ++k)
     projectVolume(gradients[static_cast<std::size_t>(k)], m, 1.0 + projected(k), 1.0 + dilatations(k));

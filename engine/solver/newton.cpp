@@ -49,10 +49,11 @@ int numLeading(const std::vector<bool>& prescribed, int numForces,
 
 /// The tangent of terms, divided among the ranks of the team.
 SparseSystem systemOf(const std::vector<Term*>& terms, const std::vector<bool>& prescribed, int numForces,
-                      const std::optional<Hierarchy>& hierarchy, const Team& team) {
+                      const std::optional<Hierarchy>& hierarchy, const Team& team,
+                      const std::optional<Division>& division) {
   const std::vector<CouplingGroups> groups = couplingsOf(terms, hierarchy.has_value());
   const int leading = numLeading(prescribed, numForces, hierarchy);
-  if (team.isAlone()) return {prescribed, groups, leading};
+  if (team.isAlone() || division) return {prescribed, groups, leading, division};
   return {prescribed, groups, leading,
           divideUnknowns(groups, prescribed, leading, hierarchy->grids, team.rank(), team.size())};
 }
@@ -171,20 +172,21 @@ std::string describe(NewtonOutcome outcome) {
 }
 
 Newton::Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales,
-               NewtonOptions options, std::optional<Hierarchy> hierarchy, const Team& team)
+               NewtonOptions options, std::optional<Hierarchy> hierarchy, const Team& team,
+               std::optional<Division> division)
     : terms_(std::move(terms)),
       scales_(std::move(scales)),
       options_(std::move(options)),
       hierarchy_(std::move(hierarchy)),
       team_(team),
-      system_(systemOf(terms_, prescribed, scales_.numForces, hierarchy_, team)),
+      system_(systemOf(terms_, prescribed, scales_.numForces, hierarchy_, team, division)),
       linear_(makeLinearSolver(options_.linear,
                                {numFreeBelow(system_, scales_.numForces), tangentKind(terms_),
                                 hierarchy_ ? &*hierarchy_ : nullptr, &team, system_.leadingDivision()})),
       inertia_(numFreeBelow(system_, scales_.numForces)),
       forces_(terms_.size(), Eigen::VectorXd::Zero(system_.numUnknowns())) {
   timings_.terms.assign(terms_.size(), 0.0);
-  if (team_.isAlone()) return;
+  if (team_.isAlone() || division) return;
   for (Term* term : terms_) term->divideAmong(team_, system_.division());
 }
 

@@ -67,9 +67,11 @@ enum class FirstTangent {
 class Newton {
  public:
   /// `prescribed`: one flag per unknown. hierarchy: nested spaces of the free displacement components, for
-  /// solvers that need them, as several ranks do. team: that does this together. Terms and team must outlive the object.
+  /// solvers that need them, as several ranks do. team: that does this together. division: of terms that ranks have divided
+  /// before; made here where left out. Terms and team must outlive the object.
   Newton(std::vector<Term*> terms, std::vector<bool> prescribed, ResidualScales scales, NewtonOptions options,
-         std::optional<Hierarchy> hierarchy = {}, const Team& team = alone());
+         std::optional<Hierarchy> hierarchy = {}, const Team& team = alone(),
+         std::optional<Division> division = {});
 
   /// Solves at time t from the start x. Prescribed unknowns go to the values they have in `target` (their
   /// other entries are ignored) along with the first correction, so that an admissible start stays

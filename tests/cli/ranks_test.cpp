@@ -67,6 +67,43 @@ contact: [{tool: ball, face: front, friction: 0.3}]
 steps: [{until: 1, count: 2}]
 )yaml";
 
+/// A metal with stresses of its own, into which a ball is pressed that is taken away.
+constexpr const char* kTakenAway = R"yaml(
+material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 0.3, modulus: 2}}
+initial: {stress: {xx: "-0.1*exp(4*Z)", yy: "-0.05*exp(4*Z)"}, plastic_strain: "0.01*exp(4*Z)"}
+tools:
+  - {name: ball, shape: sphere, center: [0, 0, 0.5], radius: 0.5, motion: {times: [0, 1], z: [0, -0.05]}, until: 1, released_by: 2}
+contact: [{tool: ball, face: front, friction: 0.2}]
+steps: [{until: 1, count: 2}, {until: 2, count: 4}]
+)yaml";
+
+/// A block beside which a support lets go, too.
+std::string lettingGo() {
+  std::string scene = kBlock + kTakenAway;
+  const std::string held = "supports: [{face: back, fix: [x, y, z]}";
+  return scene.replace(scene.find(held), held.size(),
+                       held + ", {face: left, fix: [x], until: 1, released_by: 2}");
+}
+
+/// A block whose fine spans follow a ball.
+constexpr const char* kFollowed = R"yaml(
+geometry: {shape: box, origin: [-0.6, -0.5, 0], size: [1.8, 0.5, 0.5], resolution: {along: ball, half_width: 0.15, spans_per_width: 3, growth: 2}}
+material: {law: j2, E: 100, nu: 0.3, hardening: {law: linear, sigma0: 0.3, modulus: 2}}
+supports: [{face: bottom, fix: [x, y, z]}, {face: back, symmetry: true}]
+tools:
+  - name: ball
+    shape: sphere
+    center: [0, 1, 0]
+    radius: 1
+    path: {course: raster, start: [0, -0.02, 0], stroke: [0.6, 0, 0], speed: 1, clearance: [0, 0.03, 0]}
+contact: [{tool: ball, face: top, friction: 0.1}]
+rezoning: {travel: 0.3}
+formulation: fbar
+steps: [{until: 0.66, count: 8}]
+solver: {linear: multigrid, tolerance: 1.0e-12}
+output: {every: 0.33, vtu: false}
+)yaml";
+
 /// A nearly incompressible block whose front is moved.
 constexpr const char* kStretched = R"yaml(
 degree: 2
@@ -118,17 +155,16 @@ class Ranks : public ShellTest {
     return shell(dir, line(ranks, arguments));
   }
 
-  /// Two processes compute the scene in "part"; one of them gets a signal when a step has been written. Where a
+  /// Two processes compute the scene in "part"; one of them gets a signal when a frame has been written. Where a
   /// busy machine sends it only when the run has ended, this is done again.
-  Outcome signalled(const std::string& signal, int which) const {
+  Outcome signalled(const std::string& signal, int which, int frame = 1) const {
     constexpr int kMostTries = 5;
     for (int tries = 1;; ++tries) {
       const Outcome outcome = shell(
-          dir,
-          fmt::format("{} & mpirun=$!; while [ ! -e part/result/frame_000001.h5 ] && kill -0 $mpirun; do "
-                      "sleep 0.01; done; "
-                      "set -- $(cat /proc/$mpirun/task/*/children); kill -{} ${}; wait $mpirun",
-                      line(2, "run scene.yaml -o part --quiet"), signal, which));
+          dir, fmt::format("{} & mpirun=$!; while [ ! -e part/result/frame_{:06}.h5 ] && kill -0 $mpirun; do "
+                           "sleep 0.01; done; "
+                           "set -- $(cat /proc/$mpirun/task/*/children); kill -{} ${}; wait $mpirun",
+                           line(2, "run scene.yaml -o part --quiet"), frame, signal, which));
       if (outcome.code != 0 || tries == kMostTries) return outcome;
       fs::remove_all(dir / "part");
     }
@@ -207,6 +243,29 @@ TEST_F(Ranks, ToolWithAFreeDirection) {
 TEST_F(Ranks, ProjectedVolumeChangeOfAPlasticBlock) {
   expectSameResults(kBlock + "formulation: fbar\n" + kDragged);
   EXPECT_GT(history("on3").column("plastic_work").back(), 0.0);
+}
+
+TEST_F(Ranks, StressesAtTheStartAndWhatIsLeftWhenSupportsAndToolsLetGo) {
+  expectSameResults(lettingGo(), {1, 3});
+  EXPECT_GT(history("on3").column("plastic_work").back(), 0.0);
+  expectSameResults("formulation: fbar\n" + lettingGo());
+}
+
+TEST_F(Ranks, MeshesThatFollowATool) {
+  expectSameResults(kFollowed, {1, 3});
+  EXPECT_GT(history("on3").column("rezonings").back(), 0.0);
+}
+
+TEST_F(Ranks, ARunThatHasLetGoIsResumedByOtherNumbers) {
+  write(lettingGo());
+  ASSERT_EQ(burnish(1, "run scene.yaml -o whole --quiet").code, 0);
+  const Outcome stopped = signalled("TERM", 2, 2);  // t = 1
+  EXPECT_EQ(stopped.code, 143) << stopped.err;
+  fs::copy(dir / "part", dir / "again", fs::copy_options::recursive);
+  ASSERT_EQ(burnish(3, "run --resume part --quiet").code, 0);
+  ASSERT_EQ(burnish(1, "run --resume again --quiet").code, 0);
+  EXPECT_LT(largestDifference("whole", "part"), 1e-10);
+  EXPECT_LT(largestDifference("whole", "again"), 1e-10);
 }
 
 TEST_F(Ranks, ProjectedVolumeChangeBetweenSupportsThatMove) {
