@@ -1,21 +1,31 @@
 option(BURNISH_TOGETHER "Compile the files of a folder together where nothing is computed: builds take half the time" ON)
 
-# burnish_sources(TARGET [TOGETHER] [EXCEPT file...]): all sources of this folder and of the folders in it. Who adds one names it
-# nowhere. TOGETHER: those of one folder are one translation unit.
+# burnish_sources(TARGET [TOGETHER] [TOGETHER_IN folder...] [EXCEPT file...]): all sources of this folder and of the folders in it. Who
+# adds one names it nowhere. TOGETHER: those of one folder are one translation unit, of large folders several; TOGETHER_IN: of these
+# folders alone.
 function(burnish_sources target)
-  cmake_parse_arguments(arg "TOGETHER" "" "EXCEPT" ${ARGN})
+  cmake_parse_arguments(arg "TOGETHER" "" "TOGETHER_IN;EXCEPT" ${ARGN})
+  set(most_files 20)  # of a translation unit
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   foreach(source IN LISTS arg_EXCEPT)
     list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${source}")
   endforeach()
   target_sources(${target} PRIVATE ${sources})
-  if(arg_TOGETHER)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${BURNISH_TOGETHER} UNITY_BUILD_MODE GROUP)
-    foreach(source IN LISTS sources)
-      cmake_path(GET source PARENT_PATH folder)
-      cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
-      string(REPLACE "/" "_" folder "${folder}")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
-    endforeach()
+  if(NOT arg_TOGETHER AND NOT arg_TOGETHER_IN)
+    return()
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${BURNISH_TOGETHER} UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE within)
+    if(NOT arg_TOGETHER AND NOT within IN_LIST arg_TOGETHER_IN)
+      continue()
+    endif()
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    string(REPLACE "/" "_" folder "${folder}")
+    list(APPEND ${folder}_files "${source}")
+    list(LENGTH ${folder}_files number)
+    math(EXPR part "(${number} - 1) / ${most_files}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}_${part}")
+  endforeach()
 endfunction()

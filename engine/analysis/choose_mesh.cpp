@@ -21,7 +21,7 @@ namespace {
 constexpr double kTravel = 0.16;
 constexpr double kAhead = 0.4;
 constexpr double kBehind = 0.1;
-constexpr double kRounding = 0.06;
+constexpr double kRoundedShare = 0.06;
 
 /// Factors of the growth of knot spans that are tried until a mesh is sound: the faster they grow, the finer
 /// they are around the contact, where the face turns sharply.
@@ -261,7 +261,7 @@ MeshChoice meshChoice(const Scene& scene, const Simulation<2>& initial) {
           .travel = options.travel.value_or(kTravel * length),
           .ahead = options.ahead.value_or(kAhead * length),
           .behind = options.behind.value_or(kBehind * length),
-          .rounding = kRounding * length,
+          .rounding = kRoundedShare * length,
           .options = options,
           .paths = pathsOf(scene)};
 }

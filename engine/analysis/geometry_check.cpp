@@ -16,7 +16,7 @@ namespace burnish {
 namespace {
 
 template <int Dim>
-struct Extremes {
+struct DeterminantRange {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
   Eigen::Vector<double, Dim> place = Eigen::Vector<double, Dim>::Zero();  ///< of the lowest
@@ -24,8 +24,8 @@ struct Extremes {
 
 /// Determinant of the map at the corners of all knot spans, taken from inside of each.
 template <int Dim>
-Extremes<Dim> cornerDeterminants(const Patch<Dim>& patch) {
-  Extremes<Dim> found;
+DeterminantRange<Dim> cornerDeterminants(const Patch<Dim>& patch) {
+  DeterminantRange<Dim> found;
   for (int span = 0; span < patch.basis().numSpans(); ++span) {
     const auto index = patch.basis().spanIndex(span);
     const Eigen::MatrixXd points = patch.points()(Eigen::all, patch.basis().spanFunctions(span));

@@ -13,6 +13,14 @@ struct Sample {
   double gap = std::numeric_limits<double>::infinity();
 };
 
+/// A box of parameters.
+template <int P>
+struct Box {
+  Eigen::Vector<double, P> low, high;
+  Sample<P> best;
+  double spacing;  ///< of the samples in space; between two of them the gap falls by no more
+};
+
 /// Best of a grid of samples in the parameter box [low, high].
 template <int P, class Gap>
 Sample<P> bestSample(const Eigen::Vector<double, P>& low, const Eigen::Vector<double, P>& high, int intervals,
@@ -66,16 +74,11 @@ NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const T
   };
   const auto gap = [&](const Parameter& xi) { return query(xi).gap; };
 
-  struct Box {
-    Parameter low, high;
-    Sample<P> best;
-    double spacing;  // of the samples in space; between two of them the gap falls by no more
-  };
-  std::vector<Box> boxes;
+  std::vector<Box<P>> boxes;
   Sample<P> nearest;
   for (int e = 0; e < trace.basis().numSpans(); ++e) {
     const auto index = trace.basis().spanIndex(e);
-    Box box;
+    Box<P> box;
     for (int d = 0; d < P; ++d) {
       box.low(d) = trace.basis().direction(d).spanBegin(index[static_cast<std::size_t>(d)]);
       box.high(d) = trace.basis().direction(d).spanEnd(index[static_cast<std::size_t>(d)]);
@@ -87,7 +90,7 @@ NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const T
   }
 
   const double coarse = nearest.gap;
-  for (Box& box : boxes) {
+  for (Box<P>& box : boxes) {
     if (box.best.gap - box.spacing > coarse) continue;
     for (int zoom = 0; zoom < kZooms; ++zoom) {
       const Parameter step = (box.high - box.low) / kIntervals;

@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::array kAxes{"x", "y", "z"};
+constexpr std::array kAxisNames{"x", "y", "z"};
 
 /// First axis about which there are moments in the plane of two dimensions, or in space.
 template <int Dim>
@@ -39,9 +39,9 @@ template <int Dim>
 std::vector<std::string> Reactions<Dim>::columns() const {
   std::vector<std::string> columns;
   for (const ReactionRecord& record : records_) {
-    for (std::size_t d = 0; d < Dim; ++d) columns.push_back(record.support + ".f" + kAxes[d]);
+    for (std::size_t d = 0; d < Dim; ++d) columns.push_back(record.support + ".f" + kAxisNames[d]);
     for (std::size_t d = 0; d < record.moment.size(); ++d)
-      columns.push_back(record.support + ".m" + kAxes[kFirstMoment<Dim> + d]);
+      columns.push_back(record.support + ".m" + kAxisNames[kFirstMoment<Dim> + d]);
   }
   return columns;
 }

@@ -8,15 +8,16 @@
 namespace burnish {
 namespace {
 
-constexpr double kLargestStrain = 3.0;  ///< up to which a law is looked at
-constexpr double kRounding = 1e-9;      ///< of a yield stress, relative
+constexpr double kLargestStrain = 3.0;    ///< up to which a law is looked at
+constexpr double kStressRounding = 1e-9;  ///< of a yield stress, relative
 
 /// stressAt: the yield stress at a plastic strain.
 template <class YieldStress>
 std::vector<InputProblem> warningsOf(const YieldStress& stressAt) {
   constexpr int kSamples = 3000;
   double highest = stressAt(0.0), highestAt = 0.0;
-  double fall = kRounding, from = 0.0, to = 0.0;  // the largest one, as a share of the yield stress before
+  double fall = kStressRounding, from = 0.0,
+         to = 0.0;  // the largest one, as a share of the yield stress before
   for (int k = 1; k <= kSamples; ++k) {
     const double ep = kLargestStrain * k / kSamples, stress = stressAt(ep);
     if (!(stress > 0.0))

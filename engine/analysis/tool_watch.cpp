@@ -7,10 +7,10 @@
 namespace burnish {
 namespace {
 
-constexpr double kDeepSpanShare = 0.1;
+constexpr double kReachedSpanShare = 0.1;
 
 template <int Dim>
-bool hasPair(const Model<Dim>& model, std::size_t tool, const FacePlace& place) {
+bool mayTouch(const Model<Dim>& model, std::size_t tool, const FacePlace& place) {
   return std::any_of(model.contacts().begin(), model.contacts().end(),
                      [&](const ContactPair<Dim>& pair) { return pair.tool == tool && pair.place == place; });
 }
@@ -21,7 +21,7 @@ template <int Dim>
 ToolWatch<Dim>::ToolWatch(const Model<Dim>& model) : model_(model) {
   for (const OuterFace& face : model.faces().outerFaces())
     for (std::size_t tool = 0; tool < model.tools().size(); ++tool)
-      if (!hasPair(model, tool, face.place))
+      if (!mayTouch(model, tool, face.place))
         faces_.push_back(
             {tool, face.text, FaceQuadrature<Dim>(model.body(), face.place.patch, face.place.face, 1)});
 }
@@ -50,7 +50,7 @@ bool ToolWatch<Dim>::isReached(const Face& face, const ToolPose& pose, const Eig
   return std::any_of(face.middles.spans().begin(), face.middles.spans().end(), [&](const auto& span) {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     point.head<Dim>() = face.middles.positions(span, x);
-    return tool.query(pose, point).gap < -kDeepSpanShare * span.size;
+    return tool.query(pose, point).gap < -kReachedSpanShare * span.size;
   });
 }
 

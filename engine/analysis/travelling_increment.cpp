@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kSameShare = 1e-9;
 
 /// Functions of a tensor product before those of a direction, all of them together.
 template <int P>
@@ -30,7 +30,7 @@ Eigen::VectorXd coordinatesAlong(const Patch<Dim>& patch, int direction, int axi
   Eigen::VectorXd values(count);
   for (Eigen::Index k = 0; k < count; ++k) values(k) = all(k * stride);
   for (Eigen::Index k = 0; k < all.size(); ++k)
-    if (std::abs(all(k) - values(k / stride % count)) > kRounding * size) return {};
+    if (std::abs(all(k) - values(k / stride % count)) > kSameShare * size) return {};
   const Eigen::VectorXd steps = values.tail(count - 1) - values.head(count - 1);
   if (!(steps.minCoeff() > 0.0 || steps.maxCoeff() < 0.0)) return {};
   return values;
@@ -57,7 +57,7 @@ TravellingIncrement<Dim>::TravellingIncrement(const Model<Dim>& model) : model_(
       !model.pairs().empty() || !model.selfContacts().empty())
     return;
   const Patch<Dim>& patch = model.body().patches.front();
-  if (patch.weights().maxCoeff() - patch.weights().minCoeff() > kRounding * patch.weights().maxCoeff())
+  if (patch.weights().maxCoeff() - patch.weights().minCoeff() > kSameShare * patch.weights().maxCoeff())
     return;
   for (int direction = 0; direction < Dim; ++direction) {
     if (direction == contacts.front().place.face / 2) continue;

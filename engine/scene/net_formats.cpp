@@ -133,7 +133,7 @@ void readPoints(Words& words, int functions, int dim, bool isRational, YamlNode&
 }
 
 YamlNode readObject(Words& words) {
-  constexpr int kMostOrder = 11, kMostFunctions = 1'000'000;
+  constexpr int kMostOrder = 11, kMostPoints = 1'000'000;
   const Place begin = words.place();
   const int directions = directionsOf(words.whole("the class of an object", 0, 10'000), begin);
   words.whole("the major version", 0, 1000);
@@ -145,7 +145,7 @@ YamlNode readObject(Words& words) {
   YamlNode degrees = listAt(words.place()), knots = listAt(words.place());
   double functions = 1.0;
   for (int d = 0; d < directions; ++d) {
-    const int count = words.whole("the number of basis functions", 2, kMostFunctions);
+    const int count = words.whole("the number of basis functions", 2, kMostPoints);
     const Place place = words.place();
     const int order = words.whole("the order", 2, kMostOrder);
     degrees.children.push_back(scalarAt(place, fmt::format("{}", order - 1)));
@@ -153,9 +153,9 @@ YamlNode readObject(Words& words) {
     for (int k = 0; k < count + order; ++k) direction.children.push_back(numberAt(words, "a knot"));
     functions *= count;
   }
-  if (functions > kMostFunctions)
+  if (functions > kMostPoints)
     throw Fault{begin,
-                fmt::format("found an object of {} points; allowed: up to {}", functions, kMostFunctions)};
+                fmt::format("found an object of {} points; allowed: up to {}", functions, kMostPoints)};
   YamlNode points = listAt(words.place()), weights = listAt(words.place());
   readPoints(words, static_cast<int>(functions), dim, isRational, points, weights);
   YamlNode net{.kind = YamlNode::Kind::Mapping, .place = begin};
