@@ -8,14 +8,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <string_view>
 #include <vector>
 
 #include "cli/commands/info_line.h"
 #include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/draw/foreign/foreign_ranges.h"
 
 namespace burnish {
 namespace {
@@ -61,33 +60,25 @@ std::string boundsText(const std::vector<ForeignBlock>& blocks) {
                      fmt::join(box.max().begin(), box.max().end(), ", "));
 }
 
-std::string rangeText(const ForeignChoice& choice, const std::vector<ForeignBlock>& blocks) {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  Eigen::Index notFinite = 0;
-  for (const ForeignBlock& block : blocks)
-    for (const double value : choice.valuesOf(block)) {
-      if (!std::isfinite(value)) {
-        ++notFinite;
-        continue;
-      }
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-  std::string text = least <= most ? fmt::format("{:.6g} to {:.6g}", least, most) : "no finite value";
-  if (notFinite > 0) text += fmt::format(", {} values not finite", notFinite);
+/// With as many digits as single precision has.
+std::string rangeText(const ForeignRange& range) {
+  if (!range.values) return "no finite value";
+  const auto [least, most] = *range.values;
+  std::string text = fmt::format("{:.9g} to {:.9g}", least, most);
+  if (range.gaps > 0) text += fmt::format(", no finite value at {} of {}", range.gaps, range.all);
   return text;
 }
 
-std::string foreignFieldText(const ForeignField& field, const std::vector<ForeignBlock>& blocks) {
+std::string foreignFieldText(const ForeignField& field, const ForeignRanges& ranges) {
   std::string text = infoWords(field.name);
   if (!field.components.empty()) text += infoWords(fmt::format(" ({})", fmt::join(field.components, " ")));
   if (!field.unit.empty()) text += fmt::format(" [{}]", infoWords(field.unit));
   text += field.ofCells ? " of cells" : " of points";
-  if (field.components.empty() || field.isVector()) return text + ": " + rangeText({field, -1}, blocks);
-  std::vector<std::string> ranges;
+  if (field.components.empty() || field.isVector()) return text + ": " + rangeText(ranges.of({field, -1}));
+  std::vector<std::string> texts;
   for (std::size_t k = 0; k < field.components.size(); ++k)
-    ranges.push_back(field.components[k] + " " + rangeText({field, static_cast<int>(k)}, blocks));
-  return text + ": " + infoWords(fmt::format("{}", fmt::join(ranges, "; ")));
+    texts.push_back(field.components[k] + " " + rangeText(ranges.of({field, static_cast<int>(k)})));
+  return text + ": " + infoWords(fmt::format("{}", fmt::join(texts, "; ")));
 }
 
 }  // namespace
@@ -101,8 +92,9 @@ std::string foreignText(const ForeignFile& file) {
                      fmt::format("{}, t = {:.7g} to {:.7g}", times.size(), times.front(), times.back()));
   for (const ForeignBlock& block : blocks) text += infoLine("block", blockText(block));
   text += infoLine("bounds", boundsText(blocks));
+  const ForeignRanges ranges(blocks);
   for (const ForeignField& field : foreignFieldsOf(blocks))
-    text += infoLine("field", foreignFieldText(field, blocks));
+    text += infoLine("field", foreignFieldText(field, ranges));
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/results/history.h"
 #include "engine/results/summary_file.h"
 #include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/draw/foreign/foreign_ranges.h"
 #include "postproc/mesh/recorded_shape.h"
 #include "postproc/text/described_json.h"
 
@@ -30,6 +31,26 @@ Json::Value fieldJson(const std::string& name, const std::vector<std::string>& c
   field["components"] = listOf(components);
   field["unit"] = unit;
   return field;
+}
+
+/// Of a scalar and of the length of a vector one, of others one for each component.
+Json::Value rangesJson(const ForeignField& field, const ForeignRanges& ranges) {
+  Json::Value list(Json::arrayValue);
+  const auto add = [&](int component) {
+    const ForeignRange range = ranges.of({field, component});
+    Json::Value& added = list.append(Json::Value());
+    added["component"] =
+        component < 0 ? Json::Value() : Json::Value(field.components[static_cast<std::size_t>(component)]);
+    added["min"] = range.values ? Json::Value((*range.values)[0]) : Json::Value();
+    added["max"] = range.values ? Json::Value((*range.values)[1]) : Json::Value();
+    added["not_finite"] = static_cast<Json::Int64>(range.gaps);
+  };
+  if (field.components.empty() || field.isVector()) {
+    add(-1);
+    return list;
+  }
+  for (std::size_t k = 0; k < field.components.size(); ++k) add(static_cast<int>(k));
+  return list;
 }
 
 Json::Value scalarJson(const YamlNode& node) {
@@ -97,9 +118,11 @@ Json::Value foreignJson(const ForeignFile& file) {
     added["cells"] = static_cast<Json::Int64>(block.grid->GetNumberOfCells());
   }
   value["fields"] = Json::Value(Json::arrayValue);
+  const ForeignRanges ranges(blocks);
   for (const ForeignField& field : foreignFieldsOf(blocks)) {
     Json::Value& added = value["fields"].append(fieldJson(field.name, field.components, field.unit));
     added["of"] = field.ofCells ? "cells" : "points";
+    added["ranges"] = rangesJson(field, ranges);
   }
   return value;
 }

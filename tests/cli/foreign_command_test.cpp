@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -228,6 +229,108 @@ TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {
     EXPECT_THAT(drawn.err, HasSubstr(sentence));
     EXPECT_FALSE(fs::exists(dir_ / "a.png"));
   }
+}
+
+/// A row of three squares with these values in the squares, y, and at the points below and above, x.
+std::string rowOfSquares(const std::string& inCells, const std::string& atPoints) {
+  return R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="3">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 2 0 0 3 0 0 0 1 0 1 1 0 2 1 0 3 1 0</DataArray></Points>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 5 4 1 2 6 5 2 3 7 6</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4 8 12</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">9 9 9</DataArray></Cells>
+<CellData><DataArray type="Float64" Name="y" format="ascii">)" +
+         inCells + R"(</DataArray></CellData>
+<PointData><DataArray type="Float64" Name="x" format="ascii">)" +
+         atPoints + ' ' + atPoints + R"(</DataArray></PointData>
+</Piece></UnstructuredGrid></VTKFile>)";
+}
+
+TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
+  const Color first{68, 1, 84}, last{253, 231, 37}, grey{238, 238, 238};
+  std::ofstream(dir_ / "row.vtu") << rowOfSquares("1 nan 3", "0 1 2 inf");
+  const auto colorsIn = [&](const std::string& options) {
+    const auto drawn = burnish("render row.vtu --title '' --size 500,300 -o a.png " + options);
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    const Picture picture = readPicture(dir_ / "a.png");
+    std::array<int, 3> counts{};
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) {
+        const Color& color = picture.at({x + 0.5, y + 0.5});
+        if (difference(color, first) <= 2) ++counts[0];
+        if (difference(color, last) <= 2) ++counts[1];
+        if (difference(color, grey) <= 2) ++counts[2];
+      }
+    return std::pair(counts, drawn.err);
+  };
+  const auto [ofCells, cellsSaid] = colorsIn("--field y");
+  EXPECT_GT(ofCells[0], 5000);
+  EXPECT_NEAR(ofCells[1], ofCells[0], 0.05 * ofCells[0]);
+  EXPECT_NEAR(ofCells[2], ofCells[0], 0.05 * ofCells[0]) << "and the box in the legend";
+  EXPECT_EQ(cellsSaid,
+            "warning: field y of row.vtu has no finite value at 1 of 3 cells; where it has none it is "
+            "drawn without colours\n");
+  const auto [ofPoints, pointsSaid] = colorsIn("--field x --bands 2 --isolines 3 --mark-extremes");
+  EXPECT_NEAR(ofPoints[2], ofCells[2], 0.05 * ofCells[2]);
+  EXPECT_NEAR(ofPoints[0], ofPoints[1], 0.2 * ofPoints[0]) << "the range is 0 to 2";
+  EXPECT_THAT(pointsSaid, HasSubstr("at 2 of 8 points;"));
+  const auto [ofThreshold, thresholdSaid] = colorsIn("--field x --bands 2 --threshold 1,");
+  EXPECT_NEAR(ofThreshold[1], ofPoints[1], 0.05 * ofPoints[1]);
+  EXPECT_LT(ofThreshold[0], 0.2 * ofPoints[0]) << "in the colour scale alone";
+
+  ASSERT_EQ(burnish("render row.vtu --field y -o a.svg").code, 0);
+  EXPECT_THAT(readText(dir_ / "a.svg"), HasSubstr(">no value<"));
+  EXPECT_THAT(burnish("info row.vtu").out, AllOf(HasSubstr("x of points: 0 to 2, no finite value at 2 of 8"),
+                                                 HasSubstr("y of cells: 1 to 3, no finite value at 1 of 3")));
+}
+
+TEST_F(ForeignCommand, FieldsWithoutAnyValueAreRefusedAndGapsOfASeriesAreToldOnce) {
+  std::ofstream(dir_ / "none.vtu") << rowOfSquares("nan inf -inf", "0 1 2 3");
+  const auto refused = burnish("render none.vtu --field y -o a.png");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, "burnish: field y of none.vtu has no finite value; it cannot be drawn\n");
+  EXPECT_THAT(burnish("info none.vtu").out, HasSubstr("y of cells: no finite value"));
+  std::ofstream(dir_ / "one.vtu") << rowOfSquares("1 nan 3", "0 1 2 3");
+  std::ofstream(dir_ / "two.vtu") << rowOfSquares("nan nan 3", "0 1 2 3");
+  std::ofstream(dir_ / "series.pvd") << "<VTKFile type=\"Collection\"><Collection>"
+                                        "<DataSet timestep=\"0\" file=\"one.vtu\"/>"
+                                        "<DataSet timestep=\"1\" file=\"two.vtu\"/></Collection></VTKFile>";
+  const auto drawn = burnish("render series.pvd --field y --frame all -o 'f{frame}.png'");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_THAT(
+      drawn.err,
+      HasSubstr("field y of series.pvd has no finite value at up to 2 of 3 cells in 2 frames; where"));
+}
+
+/// A biquadratic Bézier square with the coefficient 4 in the middle alone has 1 there, as has a vector whose length is 4.
+TEST_F(ForeignCommand, RangesOfBezierCellsAreThoseOfTheField) {
+  std::ofstream(dir_ / "bump.vtk")
+      << "# vtk DataFile Version 3.0\nbump\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 9 double\n"
+         "0 0 0 2 0 0 2 2 0 0 2 0 1 0 0 2 1 0 1 2 0 0 1 0 1 1 0\nCELLS 1 10\n9 0 1 2 3 4 5 6 7 8\n"
+         "CELL_TYPES 1\n77\nPOINT_DATA 9\nSCALARS bump double 1\nLOOKUP_TABLE default\n"
+         "0 0 0 0 0 0 0 0 4\nVECTORS v double\n"
+         "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 2.4 -3.2 0\n";
+  const auto info = burnish("info bump.vtk");
+  EXPECT_THAT(info.out, AllOf(HasSubstr("bump of points: 0 to 1\n"), HasSubstr("of points: 0 to 1\n")))
+      << info.err;
+  EXPECT_THAT(info.out, testing::Not(HasSubstr("to 4")));
+  EXPECT_THAT(burnish("info bump.vtk --json").out,
+              HasSubstr(R"("ranges":[{"component":null,"max":1.0,"min":0.0,"not_finite":0}])"));
+}
+
+/// Of a curved cube with a value in its middle alone.
+TEST_F(ForeignCommand, RangesOfCurvedCellsAreThoseOfTheirInside) {
+  std::ofstream file(dir_ / "cube.vtk");
+  file << "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 27 double\n"
+          "0 0 0 2 0 0 2 2 0 0 2 0 0 0 2 2 0 2 2 2 2 0 2 2 1 0 0 2 1 0 1 2 0 0 1 0 1 0 2 2 1 2 1 2 2 0 1 2 "
+          "0 0 1 2 0 1 2 2 1 0 2 1 0 1 1 2 1 1 1 0 1 1 2 1 1 1 0 1 1 2 1 1 1\nCELLS 1 28\n27";
+  for (int k = 0; k < 27; ++k) file << ' ' << k;
+  file << "\nCELL_TYPES 1\n29\nPOINT_DATA 27\nSCALARS depth double 1\nLOOKUP_TABLE default\n";
+  for (int k = 0; k < 27; ++k) file << (k < 26 ? "0 " : "5\n");
+  file.close();
+  const auto drawn = burnish("render cube.vtk --mark-extremes -o a.svg");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_THAT(readText(dir_ / "a.svg"), AllOf(HasSubstr("max 5"), HasSubstr("max at (1, 1, 1)")));
 }
 
 /// The same value at opposite corners: a square that is its own image in both middles has such a picture.

@@ -234,7 +234,7 @@ class WorstPictures::FileDrawing : public PairDrawing {
     FieldPictures pictures;
     try {
       ForeignOptions options = optionsAt<ForeignOptions>(drawable(field, instants[0]), *field.worst);
-      // A side with values that are not finite has no picture, and the other one has its own colours.
+      // A side without a finite value has no picture, and the other one has its own colours.
       std::array<std::optional<FrameView>, 2> views;
       std::vector<int> drawn;
       for (const int k : {0, 1}) {

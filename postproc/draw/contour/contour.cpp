@@ -28,6 +28,7 @@
 #include "postproc/draw/contour/contour_transparency.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/field_colors.h"
+#include "postproc/draw/contour/gaps.h"
 #include "postproc/draw/contour/hatch.h"
 #include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
@@ -107,14 +108,15 @@ double textSizeOf(const ContourOptions& options, const Theme& theme) {
 }
 
 /// ownRange: whether the colours are laid round the values of this picture alone.
+/// gaps: the colour of what has no value, if there is such a place.
 ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const std::array<double, 2>& values,
                       double textSize, const Theme& theme, int bands, const std::optional<SharedRoom>& room,
-                      bool marked, bool ownRange) {
+                      bool marked, bool ownRange, const std::optional<Color>& gaps) {
   const bool isConstant = isOneValue(values) && scale.range()[1] == widened(values)[1] && ownRange;
   return {scale,
           {field.title, field.unit, values[0], values[1], field.states,
            room ? room->extremes : std::vector<std::array<double, 2>>(), room && room->otherRanges, marked,
-           bands, isConstant},
+           bands, isConstant, gaps, room && room->gaps},
           textSize,
           theme};
 }
@@ -136,7 +138,8 @@ class ContourPicture {
         textSize_(textSizeOf(options, theme_)),
         field_(subject.field),
         parts_(subject.parts),
-        cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))) {}
+        cutsBody_(options.window && !options.window->contains(bodiesBox(parts_))),
+        hasGaps_(hasGaps(parts_)) {}
 
   ContourImage draw() {
     const Plan plan = makePlan(1.0);
@@ -194,6 +197,8 @@ class ContourPicture {
         !(parts_.section && parts_.section->GetNumberOfPolys() > 0))
       noteWarning(nothingChosen(options_, field_, subject_.time, subject_.chosenRange()));
     light(plan);
+    body_ = partsByValue(*parts_.body);
+    if (parts_.section) section_ = partsByValue(*parts_.section);
   }
 
   /// Throws `Error` for a window in which nothing lies.
@@ -223,8 +228,9 @@ class ContourPicture {
     const std::array<double, 2>& whole = subject_.ranges.whole;
     const std::array<double, 2> shown = options_.range.value_or(subject_.ranges.shown);
     const ColorScale scale = colorScaleOf(field_, options_, shown);
-    const ScalarBar bar = scalarBarOf(field_, scale, whole, textSize, theme_, options_.bands, options_.room,
-                                      marksExtremes(), !sharesRange());
+    const ScalarBar bar =
+        scalarBarOf(field_, scale, whole, textSize, theme_, options_.bands, options_.room, marksExtremes(),
+                    !sharesRange(), hasGaps_ ? std::optional(plainColor()) : std::nullopt);
     return {scale, bar,
             layOutContour(size_, textSize, options_.window.value_or(content), parts_.axes,
                           caption(scale, options_.clip && shown != whole),
@@ -284,7 +290,7 @@ class ContourPicture {
     return {title(),
             options_.time && subject_.time ? fmt::format("t = {:.6g}", *subject_.time) : "",
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
-                    parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), subject_.note,
+                    parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), gapsNote(), subject_.note,
                     subject_.choiceNote ? subject_.choiceNote(scale.range()) : "", options_.note,
                     clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
             options_.doubt,
@@ -311,6 +317,9 @@ class ContourPicture {
     return subject_.without.empty() ? ""
                                     : fmt::format("{} without values", fmt::join(subject_.without, ", "));
   }
+
+  /// Where no colour scale says it.
+  std::string gapsNote() const { return hasGaps_ && !options_.colorScale ? "grey: no value" : ""; }
 
   /// Between tools and paper, so that a body without colours is not taken for a tool.
   Color plainColor() const {
@@ -394,7 +403,7 @@ class ContourPicture {
                                      ? pageDots(*part.lines, view, part.color, part.width)
                                      : pageLines(*part.lines, view, part.color, part.width, part.opacity));
     if (isOfContact())
-      for (PageLines& piece : coloredPageLines(*parts_.body, view, plan.scale, kFaceWidth * lineWidth()))
+      for (PageLines& piece : coloredPageLines(*body_.with, view, plan.scale, kFaceWidth * lineWidth()))
         sketch.shapes.emplace_back(std::move(piece));
     if (parts_.arrows.areas)
       addPageAreas(sketch, *parts_.arrows.edges, view, kWhite, kBlack, kArrowEdge * lineWidth());
@@ -414,10 +423,11 @@ class ContourPicture {
     for (const ToolDrawing& tool : plan.tools)
       if (tool.area) add(pageRegion(*tool.area, view, theme_.tool));
     if (!isOfContact())
-      for (PageRegion& band : coloredPageRegions(*parts_.body, view, plan.scale,
+      for (PageRegion& band : coloredPageRegions(*body_.with, view, plan.scale,
                                                  options_.bands > 0 ? options_.bands : kVectorBands))
         add(std::move(band));
-    if (parts_.plain) add(pageRegion(*parts_.plain, view, plainColor()));
+    for (const auto& part : {isOfContact() ? nullptr : body_.without, parts_.plain})
+      if (part) add(pageRegion(*part, view, plainColor()));
   }
 
   /// All that is no picture of space: texts, the colour scale, the frame, the axes.
@@ -481,7 +491,7 @@ class ContourPicture {
       all.push_back({parts_.ghostOutline, theme_.outline, line, kUndeformed, kGhostOpacity});
     if (parts_.ghost && !isFlat())
       all.push_back({silhouetteOf(*parts_.ghost, view), theme_.outline, line, kUndeformed, kGhostOpacity});
-    for (const auto& part : {parts_.body, hatchesSection() ? nullptr : parts_.section})
+    for (const auto& part : {body_.with, hatchesSection() ? nullptr : section_.with})
       if (part && !drawsOwnIsosurfaces(options_))
         for (const Color& color : {theme_.outline, theme_.paper})
           if (const std::vector<double> values = isolineValues(plan.scale, color); !values.empty())
@@ -523,15 +533,18 @@ class ContourPicture {
           part.layer);
     };
     if (!isOfContact() || !isFlat() || what == Shown::Everything) {
-      const auto colored = contourActor(*parts_.body, plan.scale, !isFlat());
+      const auto colored = contourActor(*body_.with, plan.scale, !isFlat());
       if (isOfContact())
         colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * scale * lineWidth()));
       add(colored, isOfContact() ? kContactFaces : kBody);
     }
     if (parts_.section)
       add(hatchesSection() ? plainActor(*parts_.section, theme_.paper, false, 1.0)
-                           : contourActor(*parts_.section, plan.scale, false),
+                           : contourActor(*section_.with, plan.scale, false),
           kBody);
+    if (body_.without && !isOfContact()) add(plainActor(*body_.without, plainColor(), !isFlat(), 1.0), kBody);
+    if (section_.without && !hatchesSection())
+      add(plainActor(*section_.without, plainColor(), false, 1.0), kBody);
     if (parts_.ghost && !isFlat()) {
       const auto ghost = plainActor(*parts_.ghost, theme_.tool, true, kGhost);
       ghost->GetProperty()->FrontfaceCullingOn();  // so that nothing lies over the colours of what is left
@@ -695,6 +708,8 @@ class ContourPicture {
   ContourParts parts_;
   vtkSmartPointer<vtkPolyData> shadow_;  ///< on the ground; null without
   bool cutsBody_;                        ///< only a part of the body is seen
+  bool hasGaps_;                         ///< the field has no value somewhere
+  PartsByValue body_, section_;          ///< of the parts, once these are exact; null without one
 };
 
 ContourPage checkedPage(const ContourSubject& subject, const ContourOptions& options) {
@@ -796,7 +811,7 @@ PrintPage colorScalePage(const ModelRecord& model, const FrameRecord& frame, con
   const FieldChoice field = chooseField(model, frame, options.field);
   const ScalarBar bar =
       scalarBarOf(field, colorScaleOf(field, options, options.range.value_or(values)), values,
-                  textSizeOf(options, theme), theme, options.bands, {}, false, true);
+                  textSizeOf(options, theme), theme, options.bands, {}, false, true, {});
   const double width = drawnSize(options)[0], length = kLength * width,
                depth = bar.depth(Overlay::Direction::Right, length);
   PrintPage page{{width, std::ceil(depth)}, "", {}, options.pointsPerPixel};

@@ -22,6 +22,7 @@ struct SharedRoom {
   std::vector<std::array<double, 2>> extremes;  ///< the smallest and the largest value of each
   bool note = false, doubt = false;             ///< whether there is such a text in one of them
   bool otherRanges = false;                     ///< whether scales may have other numbers at their ticks
+  bool gaps = false;                            ///< whether one of them has places without values
 };
 
 /// A contour picture: its options, and what whoever draws it writes beside the body.

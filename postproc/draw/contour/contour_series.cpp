@@ -93,6 +93,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     }
     if (together.contains(k)) {
       room.note = room.note || view.hasNote;
+      room.gaps = room.gaps || view.hasGaps;
       if (view.extremes) room.extremes.push_back(*view.extremes);
     }
     if (!inWindow.contains(k)) continue;

@@ -77,11 +77,12 @@ void moveToSeen(ExtremePlaces& places, const std::vector<MirrorPlane>& planes,
 }
 
 std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars) {
-  std::array<int, 2> tuples{0, 0};
+  std::array<int, 2> tuples{-1, -1};
   const auto value = [&](int tuple) { return scalars.GetComponent(tuple, 0); };
-  for (int k = 1; k < scalars.GetNumberOfTuples(); ++k) {
-    if (value(k) < value(tuples[0])) tuples[0] = k;
-    if (value(k) > value(tuples[1])) tuples[1] = k;
+  for (int k = 0; k < scalars.GetNumberOfTuples(); ++k) {
+    if (!std::isfinite(value(k))) continue;
+    if (tuples[0] < 0 || value(k) < value(tuples[0])) tuples[0] = k;
+    if (tuples[1] < 0 || value(k) > value(tuples[1])) tuples[1] = k;
   }
   if (tuples[0] == tuples[1]) return std::nullopt;
   return tuples;

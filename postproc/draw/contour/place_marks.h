@@ -35,7 +35,7 @@ std::optional<ExtremePlaces> extremePlaces(const ModelRecord& model, const Frame
 void moveToSeen(ExtremePlaces& places, const std::vector<MirrorPlane>& planes,
                 const std::function<bool(const Eigen::Vector3d& drawn)>& isSeen);
 
-/// Numbers of the tuples with the smallest and the largest value of an array of scalars; nothing if they are equal.
+/// Numbers of the tuples with the smallest and the largest finite value of an array of scalars; nothing if they are equal.
 std::optional<std::array<int, 2>> extremeTuples(vtkDataArray& scalars);
 
 /// Flat signs in the plane of a view: a triangle that points down at the smallest value, one that points up at

@@ -32,6 +32,10 @@ constexpr double kEndLine = 1.2;  // from line to line at an end
 // As long as most numbers are at ticks, at arrows and at the ends.
 constexpr const char *kLongLabel = "−0.00", *kLongLimit = "≥ −0.0000", *kLongEnd = "max −0.0000";
 
+constexpr double kGapsLine = 1.7;  // from what stands before the box of places without values to its foot
+constexpr double kBoxGap = 0.45;   // from it to its words
+constexpr const char* kGapsWords = "no value";
+
 constexpr int kEndDigits = 4;
 constexpr double kRoundOff = 1e-9;  // of the range
 constexpr double kVisible = 1e-3;   // of the range
@@ -61,6 +65,8 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       even_(texts.even),
       bands_(texts.bands),
       constant_(texts.constant ? std::optional(texts.smallest) : std::nullopt),
+      gaps_(texts.gaps),
+      hasGapsRoom_(texts.gaps || texts.gapsRoom),
       ink_(theme.ink),
       titleStyle_{textSize, theme.ink, theme.font},
       labelStyle_{kLabelSize * textSize, theme.ink, theme.font},
@@ -117,10 +123,29 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
 
 double ScalarBar::depth(Direction direction, double length) const {
   const double besideLabels = size_ * (kBarDepth + kTick + kGap + kTitleGap + kTitleDepth);
-  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_);
-  const double withLabels = besideLabels + longestLabel(ticksUp(barLengthUp(length)));
+  if (direction == Direction::Right) return besideLabels + capitalHeight(labelStyle_) + gapsHeight();
+  const double withLabels = std::max(gapsWidth(), besideLabels + longestLabel(ticksUp(barLengthUp(length))));
   if (!reachesEnds(fittedTitle(length), length)) return std::max(withLabels, longestEnd());
   return std::max(withLabels, longestEnd() + size_ * (kTitleGap + kTitleDepth));
+}
+
+double ScalarBar::gapsHeight() const {
+  return hasGapsRoom_ ? size_ * kGapsLine : 0.0;
+}
+
+double ScalarBar::gapsWidth() const {
+  if (!hasGapsRoom_) return 0.0;
+  return size_ * (kBarDepth + kBoxGap) + textWidth({{kGapsWords}}, endStyle_);
+}
+
+/// corner: the lower left one of the box.
+void ScalarBar::drawGaps(Overlay& overlay, FlatShapes& shapes, const Eigen::Vector2d& corner) const {
+  if (!gaps_) return;
+  const PixelRect box = rounded({corner.x(), corner.y(), kBarDepth * size_, capitalHeight(endStyle_)});
+  overlay.addStripes(box, {*gaps_}, Direction::Right);
+  const double left = box.x - 0.5, right = box.right() + 0.5, low = box.y - 0.5, top = box.top() + 0.5;
+  shapes.addPolyline({{left, low}, {right, low}, {right, top}, {left, top}, {left, low}}, lineWidth(), ink_);
+  overlay.addText({{kGapsWords}}, {box.right() + size_ * kBoxGap, box.y}, endStyle_);
 }
 
 double ScalarBar::longestEnd() const {
@@ -152,7 +177,7 @@ void ScalarBar::draw(Overlay& overlay, FlatShapes& shapes, const PixelRect& spac
 
 void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
   const double endText = size_ * kEndGap + capitalHeight(endStyle_);
-  PixelRect bar = rounded({space.x, space.y + endText + (low_.hasArrow ? kArrow * size_ : 0.0),
+  PixelRect bar = rounded({space.x, space.y + gapsHeight() + endText + (low_.hasArrow ? kArrow * size_ : 0.0),
                            kBarDepth * size_, barLengthUp(space.height)});
   const Ticks ticks = ticksUp(bar.height);
   const FittedText title = fittedTitle(space.height);
@@ -185,6 +210,7 @@ void ScalarBar::drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& sp
       low_.extreme,
       {startOf(low_.extreme), bar.y - (low_.passed ? arrow : 0.0) - endGap - capitalHeight(endStyle_)},
       endStyle_);
+  drawGaps(overlay, shapes, {bar.x, space.y});
 }
 
 void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const {
@@ -202,6 +228,7 @@ void ScalarBar::drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect
   overlay.addText(title.text, {space.center().x(), baseline}, title.style, Anchor::Middle);
   drawEndAcross(overlay, bar, false, space.x);
   drawEndAcross(overlay, bar, true, space.right());
+  drawGaps(overlay, shapes, {space.center().x() - gapsWidth() / 2.0, space.y});
 }
 
 /// edge: where the text ends, away from the bar.
@@ -293,7 +320,7 @@ Ticks ScalarBar::ticksAcross(double barLength) const {
 
 double ScalarBar::barLengthUp(double length) const {
   const int arrows = (low_.hasArrow ? 1 : 0) + (high_.hasArrow ? 1 : 0);
-  return length - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_)) - arrows * kArrow * size_;
+  return length - gapsHeight() - 2.0 * (size_ * kEndGap + capitalHeight(endStyle_)) - arrows * kArrow * size_;
 }
 
 /// Room that an end takes beside a bar across.

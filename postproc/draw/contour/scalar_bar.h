@@ -40,6 +40,8 @@ class ScalarBar {
     bool constant =
         false;  ///< the field has one value, round which the colours were laid: it alone has a tick, and
                 ///< stands below the scale
+    std::optional<Color> gaps{};  ///< the colour of places without values, of which a box tells
+    bool gapsRoom = false;        ///< as much room as for this box, even without it
   };
 
   /// textSize: of the title, in pixels.
@@ -65,6 +67,7 @@ class ScalarBar {
   void drawUp(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
   void drawAcross(Overlay& overlay, FlatShapes& shapes, const PixelRect& space) const;
   void drawEndAcross(Overlay& overlay, const PixelRect& bar, bool high, double edge) const;
+  void drawGaps(Overlay& overlay, FlatShapes& shapes, const Eigen::Vector2d& corner) const;
   void drawArrow(FlatShapes& shapes, const PixelRect& bar, Direction direction, bool high) const;
   void drawFrameAndTicks(Overlay& overlay, FlatShapes& shapes, const PixelRect& bar, Direction direction,
                          const Ticks& ticks) const;
@@ -76,6 +79,10 @@ class ScalarBar {
   Ticks ticksAcross(double barLength) const;
   double barLengthUp(double length) const;
   double longestEnd() const;
+
+  /// What the box of places without values takes, with the gap before it; 0 without one.
+  double gapsHeight() const;
+  double gapsWidth() const;
 
   /// The title in so many pixels: in smaller letters, or with a shorter name before its unit.
   FittedText fittedTitle(double length) const;
@@ -106,6 +113,8 @@ class ScalarBar {
   bool even_;
   int bands_;
   std::optional<double> constant_;  ///< the value of a field that has one
+  std::optional<Color> gaps_;
+  bool hasGapsRoom_;
   Color ink_;
   TextStyle titleStyle_, labelStyle_, endStyle_;
 };

@@ -26,10 +26,12 @@
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/gaps.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_surface.h"
 #include "postproc/draw/foreign/linear_parts.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/mesh/middle_triangles.h"
 #include "postproc/mesh/plane_section.h"
@@ -69,10 +71,13 @@ Grid bareGrid(const ForeignBlock& block) {
   return grid;
 }
 
+/// No number where a value is not finite.
 void setDrawn(vtkUnstructuredGrid& grid, const Eigen::VectorXd& values, bool ofCells) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   vtkDataSetAttributes* data = grid.GetPointData();
   if (ofCells) data = grid.GetCellData();
-  data->AddArray(makeArray("drawn", values.transpose(), {}));
+  const Eigen::VectorXd drawn = values.array().isFinite().select(values, kNone);
+  data->AddArray(makeArray("drawn", drawn.transpose(), {}));
 }
 
 /// Moves points by the displacements that the block has.
@@ -120,6 +125,15 @@ class SubjectMaker {
   /// Whether the instant has a field that is drawn.
   bool hasField() const { return choice_.has_value(); }
 
+  /// Keeps for a warning at how many places of the file the field has no finite value.
+  void noteGaps() const {
+    if (numGaps_ == 0) return;
+    const bool isOne = file_.times().size() < 2;
+    burnish::noteGaps({fmt::format("{} of {}", options_.field, file_.file().string()),
+                       choice_->field.ofCells ? "cells" : "points"},
+                      {numGaps_, numPlaces_, isOne ? std::nullopt : std::optional(instant_)});
+  }
+
   ContourSubject make() {
     ContourSubject subject;
     subject.title = file_.file().filename().string();
@@ -139,8 +153,8 @@ class SubjectMaker {
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
-    const vtkSmartPointer<vtkPointSet> places = placesOf(*cells.with);
-    subject.ranges.whole = subject.ranges.shown = rangeOf(*places);
+    const ValuePlaces places = placesOf(*cells.with);
+    subject.ranges.whole = subject.ranges.shown = rangeOf(places);
     if (!choice_ && !options_.field.empty()) {
       subject.note = "no values";
       if (options_.range) {  // beside the scale of frames with values
@@ -152,7 +166,7 @@ class SubjectMaker {
     if (options_.threshold) subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
     subject.parts.mark = options_.mark;
     if (options_.markExtremes && choice_) {
-      subject.parts.extremes = extremesOf(*places, subject.dim);
+      subject.parts.extremes = extremesOf(places, subject.dim);
       if (subject.parts.extremes)
         moveToSeen(*subject.parts.extremes, symmetriesOf(*choice_),
                    [&](const Eigen::Vector3d& place) { return isSeen(subject.parts, options_, place); });
@@ -194,6 +208,8 @@ class SubjectMaker {
       }
       const Eigen::VectorXd values = choice_ ? choice_->valuesOf(block) : Eigen::VectorXd();
       if (values.size() > 0) {
+        numPlaces_ += values.size();
+        numGaps_ += values.size() - values.array().isFinite().count();
         setDrawn(*grid, values, choice_->field.ofCells);
         with.push_back(grid);
       } else {
@@ -250,11 +266,19 @@ class SubjectMaker {
     return cells;
   }
 
-  /// What has the values: the cells, or of curved ones the parts that are drawn, since coefficients at their points
-  /// need be no values.
-  static vtkSmartPointer<vtkPointSet> placesOf(vtkUnstructuredGrid& cells) {
-    if (hasCurved(cells)) return outerFaces(cells);
-    return &cells;
+  using ValuePlaces = std::vector<vtkSmartPointer<vtkPointSet>>;
+
+  /// What has the values: the cells, and of curved ones the parts that are drawn. Where points have coefficients, parts
+  /// inside take their place.
+  static ValuePlaces placesOf(vtkUnstructuredGrid& cells) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    constexpr vtkIdType kMostInside = 100'000;
+    if (!hasCurved(cells)) return {&cells};
+    const Faces faces = outerFaces(cells);
+    if (!hasBezier(cells)) return {faces, &cells};
+    if (isPlane(cells)) return {faces};
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(cells.GetNumberOfPoints());
+    return {faces, linearParts(cells, nothing, {-kInfinite, kInfinite}, kMostInside)};
   }
 
   /// What is drawn at points or, if these have nothing, of cells; null without a field.
@@ -263,19 +287,22 @@ class SubjectMaker {
     return ofPoints ? ofPoints : places.GetCellData()->GetArray("drawn");
   }
 
-  std::array<double, 2> rangeOf(vtkPointSet& places) const {
-    if (places.GetNumberOfCells() == 0) return {0.0, 1.0};
-    vtkDataArray* drawn = drawnOf(places);
-    vtkIdType notFinite = 0;
-    std::array<double, 2> range{drawn->GetComponent(0, 0), drawn->GetComponent(0, 0)};
-    for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k) {
-      const double value = drawn->GetComponent(k, 0);
-      if (!std::isfinite(value)) ++notFinite;
-      range = {std::min(range[0], value), std::max(range[1], value)};
+  /// Of the finite values.
+  std::array<double, 2> rangeOf(const ValuePlaces& places) const {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    if (places.front()->GetNumberOfCells() == 0) return {0.0, 1.0};
+    std::array range{kInfinite, -kInfinite};
+    for (const auto& some : places) {
+      vtkDataArray* drawn = drawnOf(*some);
+      for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k) {
+        const double value = drawn->GetComponent(k, 0);
+        if (std::isfinite(value)) range = {std::min(range[0], value), std::max(range[1], value)};
+      }
     }
-    if (notFinite > 0)
-      throw Error(fmt::format("field {} of {} is not finite at {} of {} places; it cannot be drawn",
-                              options_.field, file_.file().string(), notFinite, drawn->GetNumberOfTuples()));
+    if (range[0] > range[1])
+      throw Error(fmt::format("field {} of {} has no finite value{}; it cannot be drawn", options_.field,
+                              file_.file().string(),
+                              file_.times().size() < 2 ? "" : fmt::format(" in frame {}", instant_)));
     return range;
   }
 
@@ -285,21 +312,32 @@ class SubjectMaker {
   }
 
   /// Points, or middles of cells.
-  static std::optional<ExtremePlaces> extremesOf(vtkPointSet& places, int dim) {
-    vtkDataArray* drawn = drawnOf(places);
-    const auto tuples = drawn ? extremeTuples(*drawn) : std::nullopt;
-    if (!tuples) return std::nullopt;
+  static Eigen::Vector3d placeOf(vtkPointSet& places, vtkIdType tuple) {
     const bool ofCells = places.GetPointData()->GetArray("drawn") == nullptr;
+    if (ofCells) return middleOf(*places.GetCell(tuple));
+    return Eigen::Map<const Eigen::Vector3d>(places.GetPoint(tuple));
+  }
+
+  static std::optional<ExtremePlaces> extremesOf(const ValuePlaces& places, int dim) {
     ExtremePlaces result;
-    for (std::size_t end = 0; end < 2; ++end) {
-      Eigen::Vector3d place;
-      if (ofCells)
-        place = middleOf(*places.GetCell((*tuples)[end]));
-      else
-        places.GetPoint((*tuples)[end], place.data());
-      if (dim == 2) place.z() = 0.0;
-      result.positions[end] = result.drawn[end] = place;
+    std::optional<std::array<double, 2>> range;
+    for (const auto& some : places) {
+      vtkDataArray* drawn = drawnOf(*some);
+      const auto tuples = drawn ? extremeTuples(*drawn) : std::nullopt;
+      if (!tuples) continue;
+      const bool isFirst = !range;
+      if (isFirst) range.emplace();
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double value = drawn->GetComponent((*tuples)[end], 0);
+        const bool isMore = end == 0 ? value < (*range)[end] : value > (*range)[end];
+        if (!isFirst && !isMore) continue;
+        (*range)[end] = value;
+        result.positions[end] = placeOf(*some, (*tuples)[end]);
+        if (dim == 2) result.positions[end].z() = 0.0;
+        result.drawn[end] = result.positions[end];
+      }
     }
+    if (!range) return std::nullopt;
     return result;
   }
 
@@ -345,11 +383,12 @@ class SubjectMaker {
     if (choice_->field.ofCells) {
       chosen.with = cellsBetween(*cells.with, ends);
     } else {
-      if (hasCurved(*cells.with)) {
-        vtkDataArray& drawn = *cells.with->GetPointData()->GetArray("drawn");
+      if (numGaps_ > 0) chosen.with = cellsOfValues(*cells.with);
+      if (hasCurved(*chosen.with)) {
+        vtkDataArray& drawn = *chosen.with->GetPointData()->GetArray("drawn");
         Eigen::VectorXd values(drawn.GetNumberOfTuples());
         for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
-        chosen.with = linearParts(*cells.with, values, ends);
+        chosen.with = linearParts(*chosen.with, values, ends);
       }
       chosen.with = cutAt(chosen.with, ends[0], false);
       chosen.with = cutAt(chosen.with, ends[1], true);
@@ -365,9 +404,19 @@ class SubjectMaker {
   }
 
   static Grid cellsBetween(vtkUnstructuredGrid& cells, const std::array<double, 2>& ends) {
+    return cellsBetween(cells, ends, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  }
+
+  /// Those with a value at all their points.
+  static Grid cellsOfValues(vtkUnstructuredGrid& cells) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return cellsBetween(cells, {-kMost, kMost}, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  }
+
+  static Grid cellsBetween(vtkUnstructuredGrid& cells, const std::array<double, 2>& ends, int association) {
     vtkNew<vtkThreshold> threshold;
     threshold->SetInputData(&cells);
-    threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "drawn");
+    threshold->SetInputArrayToProcess(0, 0, 0, association, "drawn");
     threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
     threshold->SetLowerThreshold(ends[0]);
     threshold->SetUpperThreshold(ends[1]);
@@ -472,6 +521,7 @@ class SubjectMaker {
   std::vector<ForeignBlock> blocks_;
   std::vector<ForeignField> fields_;
   std::optional<ForeignChoice> choice_;
+  Eigen::Index numGaps_ = 0, numPlaces_ = 0;  ///< points or cells without a finite value, and all
 };
 
 std::vector<ForeignBlock> blocksAt(const ForeignFile& file, int instant) {
@@ -484,6 +534,7 @@ auto drawn(const ForeignFile& file, int instant, const std::vector<ForeignBlock>
            const ForeignOptions& options, const Draw& draw) {
   SubjectMaker maker(file, instant, blocks, options);
   const ContourSubject subject = maker.make();
+  maker.noteGaps();
   ContourOptions own = options;
   own.warp = 1.0;
   own.markExtremes = options.markExtremes && maker.hasField();
@@ -516,6 +567,7 @@ FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions
   FrameView view{.content = {}};
   if (maker.hasField()) view.shown = view.extremes = subject.ranges.whole;
   view.hasNote = mayHaveNote(options) || !subject.without.empty() || !subject.note.empty();
+  view.hasGaps = hasGaps(subject.parts);
   view.unit = subject.field.unit;
   view.show(subject.parts, subject.dim, options.eye);
   return view;

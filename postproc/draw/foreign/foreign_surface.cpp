@@ -110,7 +110,8 @@ class CellCollector {
     const double drawn = values ? values->GetComponent(id, 0) : 0.0;
     const auto isSame = [&](const Copy& copy) {
       constexpr double kRounding = 1e-9;
-      return copy.grid == &grid || std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn);
+      return copy.grid == &grid || std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn) ||
+             (std::isnan(copy.drawn) && std::isnan(drawn));
     };
     const auto found = std::find_if(copies_[place].begin(), copies_[place].end(), isSame);
     if (found != copies_[place].end()) return found->number;

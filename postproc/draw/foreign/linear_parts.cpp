@@ -25,9 +25,6 @@
 namespace burnish {
 namespace {
 
-/// More of them are avoided by coarser ones.
-constexpr vtkIdType kMostLinearParts = 1'000'000;
-
 /// Also false for polygons with curved edges, which have no shape functions in common.
 bool isParted(int type) {
   return vtkCellTypes::IsLinear(static_cast<unsigned char>(type)) == 0 && type != VTK_QUADRATIC_POLYGON;
@@ -280,13 +277,20 @@ bool hasCurved(vtkUnstructuredGrid& cells) {
   return false;
 }
 
+bool hasBezier(vtkUnstructuredGrid& cells) {
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell)
+    if (cells.GetCellType(cell) >= VTK_BEZIER_CURVE && cells.GetCellType(cell) <= VTK_BEZIER_PYRAMID)
+      return true;
+  return false;
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> linearParts(vtkUnstructuredGrid& cells, const Eigen::VectorXd& of,
-                                                 const std::array<double, 2>& ends) {
+                                                 const std::array<double, 2>& ends, vtkIdType most) {
   const std::vector<vtkIdType> reached = reachedCells(cells, of, ends);
   const vtkIdType curved =
       std::ranges::count_if(reached, [&](vtkIdType cell) { return isParted(cells.GetCellType(cell)); });
   int count = 1 << kCurvedParts;
-  while (count > 2 && curved * count * count * count > kMostLinearParts) count /= 2;
+  while (count > 2 && curved * count * count * count > most) count /= 2;
   LinearParts parts(cells, count);
   for (const vtkIdType cell : reached) parts.add(cell);
   return parts.finish();

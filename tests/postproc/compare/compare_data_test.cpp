@@ -571,13 +571,14 @@ TEST_F(CompareVtk, DifferencesAreDrawnAndWhereOneSideIsNoNumber) {
   grid = {};
   grid.inCells["material"][1] = nan;
   std::tie(hasActual, red, blue) = drawn(grid, "cell.png");
-  EXPECT_FALSE(hasActual);
+  EXPECT_TRUE(hasActual) << "with a grey cell";
   EXPECT_GT(red, 20000) << "half of the square";
   EXPECT_EQ(blue, 0);
   const int half = red;
   grid = {};
   grid.inCells["material"] = {nan, nan};
   std::tie(hasActual, red, blue) = drawn(grid, "cells.png");
+  EXPECT_FALSE(hasActual);
   EXPECT_NEAR(red, 2 * half, 0.02 * half);
   grid = {};
   grid.points(0, 2) = nan;
