@@ -220,6 +220,32 @@ void setSkyOf(vtkPolyData* surface, const std::vector<BodySurface::Lattice>& lat
   surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
 }
 
+/// Points of a square lattice on the ground that bodies cover get what goes on from beside the bodies: shares jump at a
+/// wall, and what is interpolated across it would follow the lattice and not the wall. Others stay.
+void goOnBelow(Eigen::VectorXd& shares, int extent) {
+  constexpr double kCovered = 1e-3;
+  const Eigen::VectorXd known = shares;
+  const auto at = [&](int i, int j) { return known(i + j * extent); };
+  const auto isBeside = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i < extent && j < extent && at(i, j) > kCovered;
+  };
+  for (int j = 0; j < extent; ++j)
+    for (int i = 0; i < extent; ++i) {
+      if (isBeside(i, j)) continue;
+      double sum = 0.0, weights = 0.0;
+      for (const int di : {-1, 0, 1})
+        for (const int dj : {-1, 0, 1}) {
+          if (!isBeside(i + di, j + dj)) continue;
+          const double next = at(i + di, j + dj),
+                       rise = isBeside(i + 2 * di, j + 2 * dj) ? at(i + 2 * di, j + 2 * dj) - next : 0.0;
+          const double weight = di != 0 && dj != 0 ? 0.5 : 1.0;
+          sum += weight * std::clamp(next - rise, 0.0, 1.0);
+          weights += weight;
+        }
+      if (weights > 0.0) shares(i + j * extent) = sum / weights;
+    }
+}
+
 }  // namespace
 
 Occlusion::Occlusion(ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity)
@@ -272,8 +298,9 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
   const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
   const BodySurface::Lattice lattice{{{kCells + 1, kCells + 1, 1}}, {{0, 0, 0}}};
-  const Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()),
-                                          {lattice}, sky_, {.reach = reach, .most = kRays}, 0.0, {});
+  Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {lattice},
+                                    sky_, {.reach = reach, .most = kRays}, 0.0, {});
+  goOnBelow(shares, kCells + 1);
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
   for (const double share : shares)

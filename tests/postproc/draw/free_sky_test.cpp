@@ -6,9 +6,13 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "postproc/draw/contour/contour_parts.h"
+#include "postproc/draw/contour/contour_view.h"
+#include "postproc/draw/contour/occlusion.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/poly_builder.h"
 #include "tests/postproc/sample_records.h"
@@ -137,6 +141,56 @@ TEST(FreeSky, DoesNotDependOnThreads) {
   const Eigen::VectorXd many = sky.sharesAt(points, up, {kFar});
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(sky.sharesAt(points, up, {kFar}), many);
+}
+
+/// A drum of radius and height 1 on the ground: round it at one distance the shadow is the same.
+TEST(GroundShadow, FollowsARoundBase) {
+  constexpr int kSides = 180;
+  PolyBuilder builder;
+  const auto rim = [&](double y) {
+    Eigen::Matrix3Xd points(3, kSides);
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kSides;
+      points.col(k) << std::cos(angle), y, std::sin(angle);
+    }
+    return points;
+  };
+  const Eigen::Matrix3Xd foot = rim(0.0), top = rim(1.0);
+  builder.addPolygon(builder.addPoints(foot));
+  builder.addPolygon(builder.addPoints(top));
+  for (int k = 0; k < kSides; ++k) {
+    const int next = (k + 1) % kSides;
+    Eigen::Matrix<double, 3, 4> side;
+    side << foot.col(k), foot.col(next), top.col(next), top.col(k);
+    builder.addPolygon(builder.addPoints(side));
+  }
+  ContourParts parts;
+  parts.body = builder.finish();
+  parts.axes = viewFrom({1.0, 1.0, 1.0});
+  parts.box = boxOf(*parts.body);
+  const auto ground = Occlusion(parts, {}, 1.0).groundShadow();
+  ASSERT_NE(ground, nullptr);
+  vtkDataArray& colors = *ground->GetPointData()->GetScalars();
+  const auto extent = static_cast<int>(std::lround(std::sqrt(ground->GetNumberOfPoints())));
+  const double low = ground->GetBounds()[0], step = (ground->GetBounds()[1] - low) / (extent - 1);
+  const auto darkness = [&](double x, double z) {  // as it is drawn, between four points
+    const double u = (z - low) / step, v = (x - low) / step;
+    const int i = static_cast<int>(u), j = static_cast<int>(v);
+    const auto at = [&](int a, int b) { return colors.GetComponent(a + b * extent, 3); };
+    return std::lerp(std::lerp(at(i, j), at(i + 1, j), u - i),
+                     std::lerp(at(i, j + 1), at(i + 1, j + 1), u - i), v - j);
+  };
+  for (const double radius : {1.005, 1.03, 1.1}) {
+    double least = 255.0, most = 0.0;
+    for (int k = 0; k < 720; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 720;
+      const double dark = darkness(radius * std::cos(angle), radius * std::sin(angle));
+      least = std::min(least, dark);
+      most = std::max(most, dark);
+    }
+    EXPECT_LT(most - least, 8.0) << "levels of 255, at " << radius;
+    EXPECT_GT(least, 40.0) << radius;
+  }
 }
 
 }  // namespace
