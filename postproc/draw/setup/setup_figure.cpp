@@ -255,16 +255,38 @@ class SetupPicture {
       symbols.addFaintText(label.text, view().pixel(label.at));
   }
 
+  /// One behind the other; those that go along earlier ones, as that of a tool which is lifted again, stand beside them.
   void drawArrows(SetupSymbols& symbols, const Mover& mover) const {
+    constexpr double kApart = 0.8,
+                     kPastName = 2.0;  // from an arrow to the next one, and past its name, in text sizes
+    struct Drawn {
+      Vector2d tail, direction, beside;
+      double length;
+    };
+    std::vector<Drawn> before;
     Vector2d at = mover.start;
     for (std::size_t k = 0; k < mover.phases.size(); ++k) {
       const Vector2d direction = mover.phases[k].normalized();
       const double toScale = mover.toScale ? mover.phases[k].norm() * view().pixelsPerLength : 0.0;
       const double drawn = std::max(SetupSymbols::kShortestMotion * textSize(), toScale);
-      symbols.addArrow(at, at + drawn * direction);
-      const Vector2d middle = at + 0.5 * drawn * direction;
+      const auto isAlong = [&](const Drawn& other) {
+        const Vector2d across(-other.direction.y(), other.direction.x()), from = at - other.tail;
+        const double begin = from.dot(other.direction), end = begin + drawn * direction.dot(other.direction);
+        return std::abs(across.dot(direction)) < 0.1 && std::abs(across.dot(from)) < 0.5 * textSize() &&
+               std::max(begin, end) > 0.2 * textSize() &&
+               std::min(begin, end) < other.length - 0.2 * textSize();
+      };
+      const auto number = std::count_if(before.begin(), before.end(), isAlong);
+      const auto first = std::find_if(before.begin(), before.end(), isAlong);
+      Vector2d beside = besideArrow(direction, at + 0.5 * drawn * direction), shift(0.0, 0.0);
+      if (number > 0) {
+        beside = -first->beside;
+        shift = textSize() * (kApart + kPastName * static_cast<double>(number - 1)) * beside.normalized();
+      }
+      symbols.addArrow(at + shift, at + shift + drawn * direction);
       symbols.addText(SetupLayout::phaseName(mover.phases.size(), k),
-                      middle + textSize() * besideArrow(direction, middle));
+                      at + shift + 0.5 * drawn * direction + textSize() * beside);
+      before.push_back({at, direction, beside, drawn});
       at += drawn * direction;
     }
   }

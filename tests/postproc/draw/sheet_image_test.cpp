@@ -321,6 +321,26 @@ TEST_F(SheetImage, SetupShowsTheMotionOfAToolUntilItIsTakenAway) {
   EXPECT_NE(setupWith("motion: {times: [0, 1, 2], x: [0, 0, 6], y: [0, -0.075, 4]}"), pressed);
 }
 
+/// Down and up again, and once more: names of the parts do not lie over one another, nor do the arrows.
+TEST_F(SheetImage, SetupPutsTheLiftOfAToolBesideItsPress) {
+  for (const char* motion : {"motion: {times: [0, 1, 2], y: [0, -0.075, 0.3]}",
+                             "motion: {times: [0, 1, 2, 3, 4], y: [0, -0.3, 0, -0.3, 0]}",
+                             "motion: {times: [0, 1, 2, 3], x: [0, 0, 2, 2], y: [0, -0.075, -0.075, 0]}"}) {
+    const std::string scene = samples::replaced(
+        kIroning, "motion: {times: [0, 1, 2], x: [0, 0, 2], y: [0, -0.075, -0.075]}", motion);
+    const std::string longer = samples::replaced(scene, "until: 2", "until: 4");
+    std::vector<PageText> names;
+    for (const PageSketch::Shape& shape : setupPage(modelOf(longer.c_str()), {600, 450}).sketch.shapes)
+      if (const auto* text = std::get_if<PageText>(&shape))
+        if (text->text.size() == 2 && text->text.front().text == "u") names.push_back(*text);
+    EXPECT_GE(names.size(), 2U);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        EXPECT_GT((names[k].at - names[other].at).norm(), 1.1 * names[k].style.size)
+            << motion << ": u" << other + 1 << ", u" << k + 1;
+  }
+}
+
 TEST_F(SheetImage, SetupIsNotDrawnInThreeDimensions) {
   EXPECT_THROW(drawSetup(samples::cube().model, {600, 600}, dir / "setup.png"), Error);
   EXPECT_THROW(drawSetup(modelOf(kRing), {600, 100}, dir / "setup.png"), Error);
