@@ -83,8 +83,7 @@ std::string meanWords(const ProbeSpec& spec, const std::string& lengthUnit) {
   std::string words;
   if (spec.spot) words += fmt::format(", mean over a spot of {}", measured(*spec.spot));
   if (spec.window) words += fmt::format(", mean over {}", measured(*spec.window));
-  if (spec.penetration)
-    words += fmt::format(", as X-rays of penetration {} see it", measured(*spec.penetration));
+  if (spec.penetration) words += fmt::format(", by X-rays of penetration {}", measured(*spec.penetration));
   if (spec.mean)
     words += fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
   return words;

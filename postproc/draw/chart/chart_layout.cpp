@@ -38,6 +38,15 @@ bool within(double value, const ChartAxis& axis) {
   return !axis.range || (value >= (*axis.range)[0] && value <= (*axis.range)[1]);
 }
 
+/// Where the unit at the end of a title begins, as in "force [N]" and "force in N"; the end without one.
+std::size_t unitIn(const std::string& title) {
+  const std::size_t bracket = title.ends_with(']') ? title.rfind(" [") : std::string::npos;
+  if (bracket != std::string::npos) return bracket;
+  const std::size_t word = title.rfind(' ');
+  const bool isIn = word != std::string::npos && title.substr(0, word).ends_with(" in");
+  return isIn ? word - std::string(" in").size() : title.size();
+}
+
 /// Smallest and largest value along x, y and y2.
 using DataRanges = std::array<std::array<double, 2>, 3>;
 
@@ -172,7 +181,9 @@ class Arrangement {
     const PixelRect& plot = layout_.plot;
     const auto fitted = [&](const std::string& text, double size, double room) {
       const TextStyle style{.size = size, .font = chart_.theme.font};
-      return text.empty() ? FittedText{} : fitText({{text}}, style, room, kSmallestText * size_);
+      if (text.empty()) return FittedText{};
+      const std::size_t unit = unitIn(text);
+      return fitName({{text.substr(0, unit)}}, {{text.substr(unit)}}, style, room, kSmallestText * size_);
     };
     // The middle of a text that stands at the middle of the plot unless it would leave the picture.
     const auto middle = [&](const FittedText& text, double wanted, double room) {

@@ -154,13 +154,7 @@ double ScalarBar::longestEnd() const {
 }
 
 FittedText ScalarBar::fittedTitle(double length) const {
-  const double smallest = kSmallestTitle * size_;
-  FittedText title = fitText(title_, titleStyle_, length, smallest);
-  const double unit = textWidth(unit_, title.style);
-  if (unit_.empty() || textWidth(title_, title.style) <= length || unit >= length) return title;
-  title = fitText(name_, title.style, length - unit, smallest);
-  title.text.insert(title.text.end(), unit_.begin(), unit_.end());
-  return title;
+  return fitName(name_, unit_, titleStyle_, length, kSmallestTitle * size_);
 }
 
 bool ScalarBar::reachesEnds(const FittedText& title, double length) const {

@@ -116,6 +116,18 @@ FittedText fitText(RichText text, TextStyle style, double width, double smallest
   return {std::move(text), style};
 }
 
+FittedText fitName(const RichText& name, const RichText& unit, const TextStyle& style, double width,
+                   double smallest) {
+  RichText whole = name;
+  whole.insert(whole.end(), unit.begin(), unit.end());
+  FittedText fitted = fitText(whole, style, width, smallest);
+  const double taken = textWidth(unit, fitted.style);
+  if (unit.empty() || textWidth(whole, fitted.style) <= width || taken >= width) return fitted;
+  fitted = fitText(name, fitted.style, width - taken, smallest);
+  fitted.text.insert(fitted.text.end(), unit.begin(), unit.end());
+  return fitted;
+}
+
 double capitalHeight(const TextStyle& style) {
   return fontNamed(style.font).capitals * style.size;
 }

@@ -50,6 +50,11 @@ struct FittedText {
 };
 FittedText fitText(RichText text, TextStyle style, double width, double smallest);
 
+/// The same of a name with what must stay behind it, such as its unit: the name alone is cut off, unless there is no room
+/// for a letter of it.
+FittedText fitName(const RichText& name, const RichText& unit, const TextStyle& style, double width,
+                   double smallest);
+
 /// Height of the digits and capitals, in pixels.
 double capitalHeight(const TextStyle& style);
 double capitalHeight(double size);  ///< in the default font

@@ -88,6 +88,23 @@ TEST(ChartScale, LabelsDifferHoweverLittleTheDataVary) {
     }
 }
 
+TEST(ChartLayout, UnitsOfLongTitlesStay) {
+  Chart chart = chartOf({0, 1}, {0, 1});
+  chart.x.title = "Distance along a line which has such a long name that there is no room for all of it [mm]";
+  chart.y.title = "A quantity which has such a long name that there is no room for all of it in N/mm";
+  const ChartLayout layout = layOutChart(chart);
+  const auto textOf = [](const FittedText& title) {
+    std::string text;
+    for (const TextRun& run : title.text) text += run.text;
+    return text;
+  };
+  EXPECT_THAT(textOf(layout.xTitle),
+              testing::AllOf(testing::StartsWith("Distance along"), testing::EndsWith("… [mm]")));
+  EXPECT_THAT(textOf(layout.yTitle),
+              testing::AllOf(testing::StartsWith("A quantity"), testing::EndsWith("… in N/mm")));
+  EXPECT_LE(textWidth(layout.yTitle.text, layout.yTitle.style), chart.size[1]);
+}
+
 TEST(ChartScale, LogarithmicScaleHasDecadesOrRoundValues) {
   const ChartAxis axis{.title = "", .logarithmic = true, .range = {}};
   const ChartScale decades = scaleOf(axis, {3e-5, 0.04});
