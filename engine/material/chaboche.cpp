@@ -61,7 +61,7 @@ std::vector<StateField<State>> Chaboche::fields() {
             .components = {},
             .unit = "stress",
             .words = "Equivalent back stress",
-            .symbol = "X̄",
+            .symbol = "X_eq",
             .isNonNegative = true},
            [](const State& state, std::span<double> values) {
              values[0] = equivalent(state.X.rowwise().sum());

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/material/material.h"
 #include "postproc/compare/lab.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_layout.h"
@@ -518,6 +519,15 @@ TEST(Fonts, LettersThatNoneHasAreBoxesAndWorthAWarning) {
                   "neither the font DejaVu Serif nor DejaVu Sans has U+5B57, U+6F22; "
                   "\"a漢字\" is drawn with a box for each"));
   EXPECT_THAT(takeWarnings(), testing::IsEmpty());
+}
+
+/// Marks over a letter stand where those of small letters do.
+TEST(Fonts, SymbolsOfFieldsHaveNoMarksOverCapitals) {
+  for (const FieldKind& field : materialFields())
+    for (std::size_t k = 0; k + 1 < field.symbol.size(); ++k)
+      EXPECT_FALSE(field.symbol[k] >= 'A' && field.symbol[k] <= 'Z' &&
+                   (field.symbol[k + 1] == '\xCC' || field.symbol[k + 1] == '\xCD'))
+          << field.name << ": " << field.symbol;
 }
 
 TEST(Fonts, LettersFromRightToLeftAreToldOf) {
