@@ -16,10 +16,16 @@ using Range = std::array<double, 2>;
 using Fit = std::function<bool(const ChartScale&)>;
 
 constexpr int kMostIntervals = 6;
-constexpr double kPadding = 0.03;   ///< part of the data's range
-constexpr double kSlack = 1e-9;     ///< round-off, in parts of a step
-constexpr double kHardly = 0.05;    ///< beyond zero, in parts of a step
-constexpr double kConstant = 1e-8;  ///< below this part of its magnitude, a variation is not shown
+constexpr double kPadding = 0.03;  ///< part of the data's range
+constexpr double kSlack = 1e-9;    ///< round-off, in parts of a step
+constexpr double kHardly = 0.05;   ///< beyond zero, in parts of a step
+constexpr double kExcess = 1e-4;   ///< beyond a tick, in parts of a step: less than can be seen
+constexpr double kNarrow =
+    1e-5;  ///< below this part of its magnitude, labels of a range count from a number near it
+
+/// Below this part of its magnitude, a variation is not shown: sums of many numbers round to 1e-12, and solvers
+/// leave a little more.
+constexpr double kConstant = 1e-10, kConstantRatio = 1e-8;
 
 /// The smallest of `factors` times a power of ten that is not below the value.
 double roundUp(double value, std::initializer_list<double> factors) {
@@ -64,10 +70,10 @@ void thinOut(ChartScale& scale, const Fit& fit) {
 
 /// Takes a power of ten out of labels that would be long with zeros; returns it.
 double takeFactor(ChartScale& scale) {
-  constexpr double smallest = 0.01, largest = 1e4;
+  constexpr double smallest = 0.01, largest = 1e4, slack = 1e-6;
   const double magnitude = std::max(std::abs(scale.range[0]), std::abs(scale.range[1]));
   const bool plain = magnitude >= smallest && magnitude < largest;
-  const int exponent = plain ? 0 : 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3.0 + kSlack));
+  const int exponent = plain ? 0 : 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3.0 + slack));
   scale.factor = plain ? "" : "×10" + superscript(exponent);
   return std::pow(10.0, exponent);
 }
@@ -80,17 +86,41 @@ void setTicks(ChartScale& scale, int most) {
   scale.labels = ticks.labels;
 }
 
-ChartScale linearScale(const ChartAxis& axis, const Range& data, bool padded, const Fit& fit) {
+/// A round number near all of a range.
+struct Offset {
+  double value = 0.0;
+  std::string text{};  ///< what is to be added to labels, as in "+ 1.6×10⁹"
+};
+
+/// Of a range that is narrow beside its magnitude; else 0.
+Offset offsetOf(const Range& range) {
+  constexpr double kLargest = 1e200;  // of which powers are numbers
+  const double magnitude = std::max(std::abs(range[0]), std::abs(range[1])), width = range[1] - range[0];
+  if (!(width > 0.0 && width < kNarrow * magnitude) || magnitude > kLargest || magnitude < 1.0 / kLargest)
+    return {};
+  const int exponent = 1 + static_cast<int>(std::ceil(std::log10(width) - kSlack));
+  const double power = std::pow(10.0, std::abs(exponent));
+  const auto rounded = [&](double number) { return exponent < 0 ? number / power : number * power; };
+  const double number = std::floor((exponent < 0 ? range[1] * power : range[1] / power) + kSlack);
+  int digits = decimalExponent(number) + 1;
+  for (double rest = number; std::fmod(rest, 10.0) == 0.0; rest /= 10.0) --digits;
+  const double value = rounded(number);
+  return {value, (value < 0.0 ? "− " : "+ ") + numberText(std::abs(value), std::max(1, digits))};
+}
+
+/// wanted: what the scale reaches around, unless the axis has a range.
+ChartScale plainScale(const ChartAxis& axis, const Range& data, const Range& wanted, const Fit& fit) {
   ChartScale scale;
-  const Range wanted = withWidth(data, padded);
   for (int intervals = kMostIntervals; intervals > 0; --intervals) {
     int most = intervals + 1;
     if (axis.range) {
       scale.range = *axis.range;
     } else {
-      const double step = roundUp((wanted[1] - wanted[0]) / intervals, {1.0, 2.0, 2.5, 5.0});
-      const double first = std::floor(wanted[0] / step + kSlack), last = std::ceil(wanted[1] / step - kSlack);
-      scale.range = {first * step, last * step};
+      const double width = (1.0 - 0.1 * kExcess) * (wanted[1] - wanted[0]);
+      const double step = roundUp(width / intervals, {1.0, 2.0, 2.5, 5.0});
+      const double first = std::floor(wanted[0] / step + kExcess),
+                   last = std::ceil(wanted[1] / step - kExcess);
+      scale.range = {std::min(first * step, wanted[0]), std::max(last * step, wanted[1])};
       // Data that hardly cross zero, as interpolated strains do, get no interval of their own there.
       if (first == -1.0 && data[0] >= -kHardly * step) scale.range[0] = -kHardly * step;
       if (last == 1.0 && data[1] <= kHardly * step) scale.range[1] = kHardly * step;
@@ -100,6 +130,22 @@ ChartScale linearScale(const ChartAxis& axis, const Range& data, bool padded, co
     if (fit(scale)) return scale;
   }
   thinOut(scale, fit);
+  return scale;
+}
+
+ChartScale linearScale(const ChartAxis& axis, const Range& data, bool padded, const Fit& fit) {
+  const Range wanted = withWidth(data, padded);
+  const Offset offset = offsetOf(axis.range.value_or(wanted));
+  if (offset.value == 0.0) return plainScale(axis, data, wanted, fit);
+  const auto shifted = [&](const Range& range) {
+    return Range{range[0] - offset.value, range[1] - offset.value};
+  };
+  ChartAxis beside = axis;
+  if (axis.range) beside.range = shifted(*axis.range);
+  ChartScale scale = plainScale(beside, shifted(data), shifted(wanted), fit);
+  for (double& end : scale.range) end += offset.value;
+  for (double& tick : scale.ticks) tick += offset.value;
+  scale.factor += (scale.factor.empty() ? "" : " ") + offset.text;
   return scale;
 }
 
@@ -149,7 +195,7 @@ ChartScale logarithmicScale(const ChartAxis& axis, const Range& data, bool padde
   if (axis.range) {
     scale.range = *axis.range;
   } else {
-    const double margin = data[1] / data[0] < 1.0 + kConstant ? 2.0
+    const double margin = data[1] / data[0] < 1.0 + kConstantRatio ? 2.0
                           : padded ? std::exp(kPadding * logRatio(data[1], data[0]))
                                    : 1.0;
     scale.range = {roundDown(data[0] / margin, {1.0, 2.0, 5.0}), roundUp(data[1] * margin, {1.0, 2.0, 5.0})};

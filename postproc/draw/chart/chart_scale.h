@@ -15,7 +15,9 @@ struct ChartScale {
   std::vector<double> ticks;        ///< increasing, within the range
   std::vector<std::string> labels;  ///< one per tick, all different
   std::vector<double> minorTicks;   ///< without labels
-  std::string factor;  ///< that all labels are to be multiplied with, as in "×10³"; mostly empty
+  std::string
+      factor;  ///< what all labels are to be multiplied with, or what is added to them, as in "×10³" and
+               ///< "×10⁻⁹ + 1"; mostly empty
 
   /// Where a value lies: 0 at the lower end of the range, 1 at the upper one.
   double share(double value) const;

@@ -88,6 +88,34 @@ TEST(ChartScale, LabelsDifferHoweverLittleTheDataVary) {
     }
 }
 
+TEST(ChartScale, LeavesWhatCannotBeSeenBeyondATick) {
+  for (const double excess : {1e-12, 1e-9, 1e-6}) {
+    const ChartScale scale = scaleOf({}, {-excess, 1.0 + excess});
+    EXPECT_THAT(scale.labels, ElementsAre("0.0", "0.2", "0.4", "0.6", "0.8", "1.0")) << excess;
+    EXPECT_EQ(scale.range, (std::array{-excess, 1.0 + excess})) << "all points are in the plot";
+  }
+  EXPECT_EQ(scaleOf({}, {0.0, 1.001}).labels.back(), "1.2");
+}
+
+/// As of time stamps; a constant that is rounded stays flat.
+TEST(ChartScale, LabelsOfNarrowRangesCountFromANumberNearThem) {
+  const ChartScale times = scaleOf({}, {1600000003.0, 1600000008.0});
+  EXPECT_EQ(times.factor, "+ 1.6×10⁹");
+  EXPECT_THAT(times.labels, ElementsAre("3", "4", "5", "6", "7", "8"));
+  EXPECT_DOUBLE_EQ(times.ticks[1], 1600000004.0);
+  EXPECT_EQ(times.range, (std::array{1600000003.0, 1600000008.0}));
+  const ChartScale wave = scaleOf({}, {1.0 - 1e-9, 1.0 + 1e-9});
+  EXPECT_EQ(wave.factor, "×10⁻⁹ + 1");
+  EXPECT_THAT(wave.labels, ElementsAre("−1.0", "−0.5", "0.0", "0.5", "1.0"));
+  EXPECT_NEAR(wave.share(1.0), 0.5, 1e-6);
+  EXPECT_EQ(scaleOf({}, {-1.0 - 1e-9, -1.0 + 1e-9}).factor, "×10⁻⁹ − 1");
+  EXPECT_EQ(scaleOf({.title = "", .logarithmic = false, .range = {{1e6, 1e6 + 1.0}}}, {0.0, 1.0}).factor,
+            "+ 1×10⁶");
+  const ChartScale rounded = scaleOf({}, {1.0 - 1e-13, 1.0 + 1e-12});
+  EXPECT_EQ(rounded.factor, "");
+  EXPECT_NEAR(rounded.range[1] - rounded.range[0], 0.2, 0.05);
+}
+
 TEST(ChartLayout, UnitsOfLongTitlesStay) {
   Chart chart = chartOf({0, 1}, {0, 1});
   chart.x.title = "Distance along a line which has such a long name that there is no room for all of it [mm]";
