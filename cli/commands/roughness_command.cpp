@@ -24,6 +24,7 @@
 #include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
+#include "postproc/draw/page/doubt_mark.h"
 #include "postproc/surface/face_roughness.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -262,7 +263,8 @@ void drawMap(const RoughnessArguments& arguments, const ResultReader& result, co
   options.field = kHeightField;
   options.range = axisRange("--y-range", asked.yRange);
   options.undeformed = false;
-  options.scaleBar = true;
+  options.lengthAxes = true;
+  if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
   makeDirectoryOf(arguments.outputs.picture);
   drawContour(map.model, map.frame, options, arguments.outputs.picture);
 }

@@ -442,5 +442,21 @@ TEST_F(RenderCommand, AnimationIsAVideoOrAGif) {
   expectRefused("animate run -o film.avi", ".mp4, .png or .gif");
 }
 
+TEST_F(RenderCommand, MapsOfRoughFacesHaveAxesAndMarkDoubtfulRuns) {
+  const samples::Sample cube = samples::cube();
+  ResultWriter(dir() / "rough", cube.model).append(cube.frame);
+  const auto mapOf = [] {
+    const Outcome drawn = burnish("roughness rough --face top -o map.svg");
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    return readText(dir() / "map.svg");
+  };
+  EXPECT_THAT(mapOf(),
+              AllOf(HasSubstr("Along the face"), HasSubstr(">Across"), Not(HasSubstr("doubtful results"))));
+  RunAccount summary;
+  summary.doubts.push_back({.what = "smallest J", .firstTime = 0.0, .steps = 1});
+  writeSummary(dir() / "rough", summary);
+  EXPECT_THAT(mapOf(), HasSubstr("doubtful results"));
+}
+
 }  // namespace
 }  // namespace burnish

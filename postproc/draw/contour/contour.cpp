@@ -30,6 +30,7 @@
 #include "postproc/draw/contour/field_colors.h"
 #include "postproc/draw/contour/gaps.h"
 #include "postproc/draw/contour/hatch.h"
+#include "postproc/draw/contour/length_axes.h"
 #include "postproc/draw/contour/occlusion.h"
 #include "postproc/draw/contour/page_lines.h"
 #include "postproc/draw/contour/peeling_renderer.h"
@@ -297,7 +298,8 @@ class ContourPicture {
             subject_.dim == 3,
             options_.scaleBar,
             options_.room && options_.room->note,
-            options_.room && options_.room->doubt};
+            options_.room && options_.room->doubt,
+            options_.lengthAxes ? lengthAxesRoom(textSize_, theme_) : Eigen::Vector2d(0.0, 0.0)};
   }
 
   /// Whether the values at the ends of the scale have signs. What is the same everywhere has a note instead of places,
@@ -449,6 +451,8 @@ class ContourPicture {
     if (cutsBody_) drawFrame(shapes, layout.view.area);
     if (options_.scaleBar)
       drawScaleBar(shapes, overlay, layout.view, layout.scaleBarAt, subject_.lengthUnit, textSize_, theme_);
+    if (options_.lengthAxes)
+      drawLengthAxes(shapes, overlay, layout.view, bodiesBox(parts_), subject_.lengthUnit, textSize_, theme_);
     if (subject_.dim == 3) drawAxesTriad(shapes, overlay, parts_.axes, layout.triadAt, textSize_, theme_);
     return sketch;
   }

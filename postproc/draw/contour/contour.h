@@ -34,6 +34,7 @@ struct ContourOptions : PictureOptions {
   std::string doubt;                    ///< the same in the lower left corner; see `doubtMarkOf`
   bool time = true;                     ///< write the time of the frame
   bool colorScale = true;               ///< draw the colour scale, at the right of the body or below
+  bool lengthAxes = false;              ///< of a plane body, along its box
   std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
   std::optional<Eye> eye;               ///< of perspective pictures that stand together; see `eyeOf`
   std::optional<SharedRoom> room;       ///< of pictures that stand together

@@ -54,9 +54,9 @@ double barLength(const PixelRect& room, const Eigen::Vector2d& drawn, Overlay::D
   return std::clamp(drawn.x(), std::min(3 * kShortestBar * size, room.width), room.width);
 }
 
-/// The content as large as possible with the bar at its right (Up) or below (Right).
+/// The content as large as possible with the bar at its right (Up) or below (Right). axes: room beside it.
 Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const ScalarBar& bar,
-                Overlay::Direction direction, double size) {
+                Overlay::Direction direction, double size, const Eigen::Vector2d& axes) {
   const double padding = 2.0 * kPadding * size;
   Placement p;
   p.room = room;
@@ -67,34 +67,47 @@ Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const Scal
     const double taken = p.barDepth + kBarGap * size + padding;
     p.free = direction == Overlay::Direction::Up ? Eigen::Vector2d(room.width - taken, room.height - padding)
                                                  : Eigen::Vector2d(room.width - padding, room.height - taken);
+    p.free -= axes;
     p.scale = fit(extent, p.free.x(), p.free.y());
     depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
   }
   return p;
 }
 
-/// Content and bar as one group in the middle of the room.
-void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size) {
-  const Eigen::Vector2d drawn = drawnSize(extent, p.scale, size);
+/// The middle of something so long, as near as it may be to where it is wanted within a part of the picture.
+double middleWithin(double low, double extent, double length, double wanted) {
+  return std::clamp(wanted, low + length / 2, std::max(low + length / 2, low + extent - length / 2));
+}
+
+/// Content and bar as one group in the middle of the room. axes: room at the left of the content and below it.
+void arrange(ContourLayout& layout, const Placement& p, const Eigen::Vector2d& extent, double size,
+             const Eigen::Vector2d& axes) {
+  const Eigen::Vector2d drawn = drawnSize(extent, p.scale, size), whole = drawn + axes;
   const bool up = layout.barDirection == Overlay::Direction::Up;
   const double gap = kBarGap * size, length = barLength(p.room, drawn, layout.barDirection, size);
-  const double group = (up ? drawn.x() : drawn.y()) + gap + p.barDepth;
+  const double group = (up ? whole.x() : whole.y()) + gap + p.barDepth;
   const Eigen::Vector2d middle = p.room.center();
   if (up) {
-    const double left = std::floor(middle.x() - group / 2);
-    layout.view.area = {left, std::floor(middle.y() - drawn.y() / 2), drawn.x(), drawn.y()};
-    layout.bar = {left + drawn.x() + gap, middle.y() - length / 2, p.barDepth, length};
+    const double left = std::floor(middle.x() - group / 2), low = std::floor(middle.y() - whole.y() / 2);
+    layout.view.area = {left + axes.x(), low + axes.y(), drawn.x(), drawn.y()};
+    const double wanted = axes.isZero(0.0) ? middle.y() : layout.view.area.center().y();
+    layout.bar = {left + whole.x() + gap, middleWithin(p.room.y, p.room.height, length, wanted) - length / 2,
+                  p.barDepth, length};
   } else {
     const double bottom = std::floor(middle.y() - group / 2);
-    layout.view.area = {std::floor(middle.x() - drawn.x() / 2), std::ceil(bottom + p.barDepth + gap),
-                        drawn.x(), drawn.y()};
-    layout.bar = {middle.x() - length / 2, bottom, length, p.barDepth};
+    layout.view.area = {std::floor(middle.x() - whole.x() / 2) + axes.x(),
+                        std::ceil(bottom + p.barDepth + gap) + axes.y(), drawn.x(), drawn.y()};
+    const double wanted = axes.isZero(0.0) ? middle.x() : layout.view.area.center().x();
+    layout.bar = {middleWithin(p.room.x, p.room.width, length, wanted) - length / 2, bottom, length,
+                  p.barDepth};
   }
 }
 
 /// The content alone in the middle of the room.
-void arrangeAlone(ContourLayout& layout, const PixelRect& room, const Eigen::Vector2d& extent, double size) {
+void arrangeAlone(ContourLayout& layout, const PixelRect& all, const Eigen::Vector2d& extent, double size,
+                  const Eigen::Vector2d& axes) {
   const double padding = 2.0 * kPadding * size;
+  const PixelRect room{all.x + axes.x(), all.y + axes.y(), all.width - axes.x(), all.height - axes.y()};
   layout.view.pixelsPerLength = fit(extent, room.width - padding, room.height - padding);
   const Eigen::Vector2d drawn = drawnSize(extent, layout.view.pixelsPerLength, size);
   const Eigen::Vector2d middle = room.center();
@@ -110,13 +123,14 @@ bool isRoomy(const Eigen::Vector2d& free, const std::array<int, 2>& pictureSize)
 
 /// Content and bar, which stands where it leaves more room for the content.
 void arrangeWithBar(ContourLayout& layout, const PixelRect& room, const Eigen::Vector2d& extent,
-                    const ScalarBar& bar, double size, const std::array<int, 2>& pictureSize) {
-  const Placement up = place(room, extent, bar, Overlay::Direction::Up, size);
-  const Placement across = place(room, extent, bar, Overlay::Direction::Right, size);
+                    const ScalarBar& bar, double size, const std::array<int, 2>& pictureSize,
+                    const Eigen::Vector2d& axes) {
+  const Placement up = place(room, extent, bar, Overlay::Direction::Up, size, axes);
+  const Placement across = place(room, extent, bar, Overlay::Direction::Right, size, axes);
   const bool isUp = up.scale >= across.scale;
   layout.barDirection = isUp ? Overlay::Direction::Up : Overlay::Direction::Right;
   layout.view.pixelsPerLength = isUp ? up.scale : across.scale;
-  arrange(layout, isUp ? up : across, extent, size);
+  arrange(layout, isUp ? up : across, extent, size, axes);
   layout.hasRoom = isRoomy(isUp ? up.free : across.free, pictureSize) &&
                    (isUp ? room.height >= kReadableUp * size : room.width >= kReadableAcross * size);
 }
@@ -144,11 +158,11 @@ std::vector<FittedText> noteLines(const std::string& text, const TextStyle& styl
   return lines;
 }
 
-/// Below content and bar: under the right end of an upright bar, under the middle of one across.
-void placeNote(ContourLayout& layout, double size, double left) {
+/// axes: room below the content. Below content and bar: under the right end of an upright bar, under the middle of one across.
+void placeNote(ContourLayout& layout, double size, double left, double axes) {
   if (layout.note.empty()) return;
-  const double baseline =
-      std::min(layout.view.area.y, layout.bar.y) - kNoteGap * size - capitalHeight(layout.note.front().style);
+  const double baseline = std::min(layout.view.area.y - axes, layout.bar.y) - kNoteGap * size -
+                          capitalHeight(layout.note.front().style);
   double length = 0.0;
   for (const FittedText& line : layout.note) length = std::max(length, textWidth(line.text, line.style));
   layout.noteAt = layout.barDirection == Overlay::Direction::Up
@@ -211,11 +225,11 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   layout.view.axes = axes;
   layout.view.center = content.center();
   if (bar != nullptr)
-    arrangeWithBar(layout, room, extent, *bar, size, pictureSize);
+    arrangeWithBar(layout, room, extent, *bar, size, pictureSize, caption.axesRoom);
   else
-    arrangeAlone(layout, room, extent, size);
+    arrangeAlone(layout, room, extent, size, caption.axesRoom);
   if (bar == nullptr) layout.hasRoom = isRoomy({room.width, room.height}, pictureSize);
-  placeNote(layout, size, left);
+  placeNote(layout, size, left, caption.axesRoom.y());
   return layout;
 }
 

@@ -42,6 +42,7 @@ struct ContourCaption {
   bool triad = false;
   bool scaleBar = false;
   bool noteRoom = false, doubtRoom = false;  ///< as much room as for these texts, even without them
+  Eigen::Vector2d axesRoom{0.0, 0.0};        ///< at the left of the content, and below it
 };
 
 /// textSize: of ordinary text, in pixels. content: the projected box that must be seen. axes: see `View`. bar:
