@@ -232,15 +232,19 @@ class Document {
       throw Error(fmt::format("{}: there is no figure \"{}\"", study_.file.string(), name));
     const fs::path picture = directory_ / "figures" / (name + ".png");
     if (!fs::exists(picture)) return fmt::format("(The figure {} has not been drawn.)\n", name);
-    return markdownPicture(shown(picture), found->caption + clipText(*found));
+    const std::string clip = clipText(*found);
+    const std::string caption = found->caption.empty() || clip.empty()
+                                    ? found->caption + clip
+                                    : fmt::format("{} ({})", found->caption, clip);
+    return markdownPicture(shown(picture), caption);
   }
 
   /// Contour pictures with a common scale do not say themselves that their colours are clipped.
   static std::string clipText(const FigureSpec& figure) {
     const auto clip = clipOf(figure);
     if (!clip) return {};
-    return fmt::format(" (Colours end at the percentiles {} and {} of the values.)",
-                       plainNumber(100.0 - *clip), plainNumber(*clip));
+    return fmt::format("Colours end at the percentiles {} and {} of the values.", plainNumber(100.0 - *clip),
+                       plainNumber(*clip));
   }
 
   /// Where the document finds a picture, relative to its own directory.

@@ -333,6 +333,22 @@ TEST_F(ForeignCommand, RangesOfCurvedCellsAreThoseOfTheirInside) {
   EXPECT_THAT(readText(dir_ / "a.svg"), AllOf(HasSubstr("max 5"), HasSubstr("max at (1, 1, 1)")));
 }
 
+/// A square beside which another one has shrunk to their common edge.
+TEST_F(ForeignCommand, ShrunkCellsLeaveTheOutlineOfTheirNeighbours) {
+  const auto outlineOf =
+      [&](const std::string& cells) {
+        std::ofstream(dir_ / "part.vtk")
+            << "# vtk DataFile Version 3.0\npart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n"
+               "0 0 0 1 0 0 1 1 0 0 1 0 1 .5 0 1 .25 0\n"
+            << cells;
+        EXPECT_EQ(burnish("render part.vtk --size 300,300 --title '' -o a.png").code, 0);
+        return readText(dir_ / "a.png");
+      };
+  const std::string whole = outlineOf("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\n");
+  EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 3\n4 1 2 2 1\nCELL_TYPES 2\n9\n9\n"), whole);
+  EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 3\n4 1 2 4 5\nCELL_TYPES 2\n9\n9\n"), whole);
+}
+
 /// The same value at opposite corners: a square that is its own image in both middles has such a picture.
 TEST_F(ForeignCommand, QuadrilateralsHaveNoDiagonal) {
   std::ofstream(dir_ / "saddle.vtk")

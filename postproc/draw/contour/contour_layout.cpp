@@ -173,7 +173,10 @@ void placeNote(ContourLayout& layout, double size, double left, double axes) {
 }  // namespace
 
 double textSizeFor(const std::array<int, 2>& pictureSize) {
-  return std::max(kSmallestText, std::round(std::min(0.027 * pictureSize[1], 0.018 * pictureSize[0])));
+  // Those of the smallest pictures are smaller, else they leave no room.
+  const double part = std::min({1.0, pictureSize[0] / 300.0, pictureSize[1] / 200.0});
+  return std::max(std::round(part * kSmallestText),
+                  std::round(std::min(0.027 * pictureSize[1], 0.018 * pictureSize[0])));
 }
 
 ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSize,

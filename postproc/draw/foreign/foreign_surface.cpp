@@ -166,6 +166,42 @@ void turnCurved(vtkUnstructuredGrid& cells, vtkUnstructuredGrid& copy) {
   copy.ShallowCopy(turned);
 }
 
+/// Whether all corners of a face lie on a line.
+bool isOnALine(vtkPolyData& faces, vtkIdList& corners) {
+  constexpr double kFlat = 1e-9;  // of the length
+  Eigen::Matrix3Xd x(3, corners.GetNumberOfIds());
+  for (vtkIdType k = 0; k < x.cols(); ++k) faces.GetPoint(corners.GetId(k), x.col(k).data());
+  const Eigen::Matrix3Xd from = x.colwise() - x.col(0);
+  Eigen::Index farthest = 0;
+  const double length = std::sqrt(from.colwise().squaredNorm().maxCoeff(&farthest));
+  const Eigen::Vector3d along = from.col(farthest).stableNormalized();
+  return (from - along * (along.transpose() * from)).colwise().norm().maxCoeff() <= kFlat * length;
+}
+
+/// Without faces that have shrunk to a line or a point: an edge that one of them has with its neighbour would be no border.
+vtkSmartPointer<vtkPolyData> withoutShrunk(vtkPolyData& faces) {
+  vtkNew<vtkIdList> corners;
+  std::vector<vtkIdType> kept;
+  for (vtkIdType face = 0; face < faces.GetNumberOfPolys(); ++face) {
+    faces.GetPolys()->GetCellAtId(face, corners);
+    if (!isOnALine(faces, *corners)) kept.push_back(face);
+  }
+  if (std::ssize(kept) == faces.GetNumberOfPolys()) return &faces;
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(faces.GetPoints());
+  result->GetPointData()->ShallowCopy(faces.GetPointData());
+  result->GetCellData()->CopyAllOn();
+  result->GetCellData()->CopyAllocate(faces.GetCellData());
+  const vtkIdType others = faces.GetNumberOfVerts() + faces.GetNumberOfLines();
+  vtkNew<vtkCellArray> polygons;
+  for (const vtkIdType face : kept) {
+    faces.GetPolys()->GetCellAtId(face, corners);
+    result->GetCellData()->CopyData(faces.GetCellData(), others + face, polygons->InsertNextCell(corners));
+  }
+  result->SetPolys(polygons);
+  return result;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
@@ -236,8 +272,9 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
   surface->SetInputData(&cells);
   surface->PassThroughCellIdsOn();
   surface->SetNonlinearSubdivisionLevel(kCurvedParts);
+  surface->Update();
   vtkNew<vtkPolyDataNormals> sides;  // of images in mirrors and of many files the faces turn either way
-  sides->SetInputConnection(surface->GetOutputPort());
+  sides->SetInputData(withoutShrunk(*surface->GetOutput()));
   sides->SplittingOff();
   sides->Update();
   vtkSmartPointer<vtkPolyData> faces = sides->GetOutput();

@@ -322,6 +322,21 @@ TEST(ContourLayout, HasRoomForTheTextsOfTheBarAtEverySize) {
       }
 }
 
+/// In letters of 10 pixels it has less than a third of the height.
+TEST(ContourLayout, BarOfTheSmallestPictureIsReadable) {
+  const std::array<int, 2> size{200, 150};
+  const double text = textSizeFor(size);
+  EXPECT_EQ(text, 7.0);
+  EXPECT_EQ(textSizeFor({300, 200}), 10.0);
+  const ScalarBar bar(ColorScale("viridis", {0.0, 0.1318}, 0), {{{"von Mises stress"}}, "MPa", 0.0, 0.1318},
+                      text, Theme{});
+  const ContourLayout layout = layOutContour(size, text, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)},
+                                             ViewAxes::Identity(), {"Title", "t = 2", ""}, &bar, Theme{});
+  ASSERT_EQ(layout.barDirection, Overlay::Direction::Up);
+  EXPECT_GT(layout.bar.height, 0.65 * size[1]);
+  EXPECT_GT(layout.view.area.height, 0.65 * size[1]);
+}
+
 TEST(ContourLayout, MarkOfDoubtHasALineOfItsOwn) {
   const std::array<int, 2> size{800, 450};
   const double text = textSizeFor(size);

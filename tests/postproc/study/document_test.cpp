@@ -143,6 +143,18 @@ TEST_F(Document, ShowsPicturesWhereTheyAreOrFromTheGallery) {
   EXPECT_EQ(readText(directory_.path() / "docs/gallery/drawn.png"), "not really a picture");
 }
 
+TEST_F(Document, SaysWhereColoursOfSheetsEndWithAndWithoutACaption) {
+  SheetFigure sheet;
+  sheet.panel.clip = 99.0;
+  sheet.scale = SheetShare::Sheet;
+  for (const auto& [caption, shown] :
+       {std::pair{"A picture.", "![A picture. (Colours end at the percentiles 1 and 99 of the values.)]("},
+        std::pair{"", "![Colours end at the percentiles 1 and 99 of the values.]("}}) {
+    study_.spec.figures.front() = {.name = "drawn", .caption = caption, .what = sheet};
+    EXPECT_THAT(written(), HasSubstr(shown));
+  }
+}
+
 TEST_F(Document, IsTheSameForTheSameResults) {
   EXPECT_EQ(written(), written());
 }
