@@ -23,6 +23,7 @@
 #include "cli/offered_words.h"
 #include "cli/output_lock.h"
 #include "engine/core/atomic_file.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/document.h"
 #include "postproc/study/study_reader.h"
 #include "postproc/text/json_text.h"
@@ -102,6 +103,7 @@ void printResultsJson(const StudyPlan& plan, const std::vector<JobStatus>& jobs,
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   const DirectoryLock lock = lockOutput(arguments.output);
   const StudyPlan plan = planStudy(study, arguments.output, arguments.only, arguments.jobs);
+  requireOutlooks(study, plan);
   if (!arguments.json) announce(plan);
   prepareJobs(plan, arguments.output);
   PoolResult result;
@@ -134,6 +136,10 @@ ExitCode writeWorkflow(const FiguresArguments& arguments, const char* file) {
                                  .gallery = arguments.gallery};
   requireNotInput("--document", options.document, {arguments.study, options.file});
   const Study study = readStudy(arguments.study);
+  std::vector<RunOutlook> outlooks;
+  for (const StudyRun& run : study.runs)
+    outlooks.push_back(outlookBefore(readSceneDocument(run.scene, run.overrides).scene));
+  requireOutlooks(study, outlooks);
   writeSnakefile(study, options);
   printOut("workflow {}: {} runs, {} figures and a document; start it with: {} -c2\n", options.file.string(),
            study.runs.size(), study.spec.figures.size(), snakemakeCommand(options.file));

@@ -18,6 +18,7 @@
 #include "cli/progress.h"
 #include "cli/scene_input.h"
 #include "engine/analysis/scene_report.h"
+#include "engine/analysis/time_grid.h"
 #include "engine/core/error.h"
 #include "engine/schema/diagnostics.h"
 #include "postproc/study/study_reader.h"
@@ -63,10 +64,11 @@ std::string costText(const CostEstimate& cost) {
       secondsText(cost.seconds()));
 }
 
-/// A scene that can be computed, every default filled in, and what is said of it.
+/// A scene that can be computed, every default filled in, and what is said of it and of its results.
 struct GoodScene {
   std::string resolvedYaml;
   SceneReport report;
+  RunOutlook outlook;
 };
 
 /// Warnings begin with who has them.
@@ -76,7 +78,10 @@ GoodScene validateScene(const fs::path& file, const std::vector<std::string>& ov
   SceneReport report = reportOf(document.scene);
   requirePlaces(document, report.model);
   for (const std::string& warning : report.warnings) printError("warning: {}{}\n", who, warning);
-  return {document.scene.resolvedYaml, std::move(report)};
+  RunOutlook outlook = outlookOf(document.scene);
+  outlook.frameTimes = frameTimes(document.scene);
+  outlook.columns = report.columns;
+  return {document.scene.resolvedYaml, std::move(report), std::move(outlook)};
 }
 
 /// A file that was looked at, in words and as JSON.
@@ -111,16 +116,25 @@ Validated validateStudy(const fs::path& file, const std::vector<std::string>& ov
     throw Error(fmt::format("{}: --set changes scenes, and this is a study; leave it out", file.string()));
   const Study study = readStudy(file);
   std::vector<std::string> faults;
+  std::vector<RunOutlook> outlooks(study.runs.size());
   double bytes = 0.0, seconds = 0.0;
-  for (const StudyRun& run : study.runs) {
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const StudyRun& run = study.runs[k];
     const std::string who = fmt::format("{}: run \"{}\": ", file.string(), run.name);
     try {
-      const CostEstimate cost = validateScene(run.scene, run.overrides, who).report.cost;
+      GoodScene good = validateScene(run.scene, run.overrides, who);
+      outlooks[k] = std::move(good.outlook);
+      const CostEstimate& cost = good.report.cost;
       bytes = std::max(bytes, cost.bytes);
       seconds += cost.seconds();
     } catch (const Error& error) {
       faults.push_back(who + error.what());
     }
+  }
+  try {
+    requireOutlooks(study, outlooks);
+  } catch (const Error& error) {
+    faults.emplace_back(error.what());
   }
   if (!faults.empty()) throw Error(fmt::format("{}", fmt::join(faults, "\n")));
   Json::Value json = costJson(bytes, seconds);

@@ -12,17 +12,21 @@
 #include <system_error>
 #include <thread>
 
+#include "engine/analysis/scene_report.h"
+#include "engine/analysis/time_grid.h"
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 #include "engine/core/fingerprint.h"
 #include "engine/core/nearest.h"
 #include "engine/core/version.h"
+#include "engine/results/history.h"
 #include "engine/results/result_reader.h"
 #include "engine/results/summary_file.h"
 #include "engine/scene/dimension.h"
 #include "engine/scene/mesh_knots.h"
 #include "postproc/scene/scene_document.h"
 #include "postproc/study/figures/figures.h"
+#include "postproc/study/study_reader.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -36,6 +40,15 @@ fs::path recordFile(const fs::path& directory, const std::string& figure) {
 
 fs::path logFile(const fs::path& directory, const std::string& figure) {
   return directory / "drawn" / (figure + ".log");
+}
+
+/// Acts; what `Error` it throws is one of the run, which will tell it.
+template <class Act>
+void leaveToTheRun(const Act& act) {
+  try {
+    act();
+  } catch (const Error&) {  // NOLINT(bugprone-empty-catch)
+  }
 }
 
 /// Whether a run has ended, with this program and this scene.
@@ -56,6 +69,14 @@ bool hasEnded(const fs::path& run) {
   } catch (const Error&) {
     return false;
   }
+}
+
+/// What the results of a run have that has ended.
+RunOutlook outlookBehind(const Scene& scene, const fs::path& run) {
+  RunOutlook outlook = outlookOf(scene);
+  leaveToTheRun([&] { outlook.frameTimes = frameTimes(scene); });
+  leaveToTheRun([&] { outlook.columns = readHistory(run / "history.csv").columns; });
+  return outlook;
 }
 
 /// Removes the files of a figure that was drawn before.
@@ -129,10 +150,18 @@ class Planner {
     for (const StudyRun& run : study_.runs) {
       if (onlyForFigures && !wanted.contains(&run)) continue;
       const Scene scene = readSceneDocument(run.scene, run.overrides).scene;
-      PlannedRun planned{
-          &run, runDirectory(directory_, run), scene.steps.back().until, expectedCost(scene), {}};
-      if (!isOf(planned.directory, scene) || !hasEnded(planned.directory))
+      PlannedRun planned{.run = &run,
+                         .directory = runDirectory(directory_, run),
+                         .endTime = scene.steps.back().until,
+                         .cost = expectedCost(scene),
+                         .outlook = {},
+                         .job = {}};
+      if (isOf(planned.directory, scene) && hasEnded(planned.directory)) {
+        planned.outlook = outlookBehind(scene, planned.directory);
+      } else {
+        planned.outlook = outlookBefore(scene);
         planned.job = 0;  // the place follows
+      }
       plan_.runs.push_back(std::move(planned));
     }
   }
@@ -239,9 +268,23 @@ double expectedCost(const Scene& scene) {
   return scene.dim() * std::pow(functions, scene.dim() == 3 ? 2.0 : 1.5) * perUnknown * steps;
 }
 
+RunOutlook outlookBefore(const Scene& scene) {
+  RunOutlook outlook = outlookOf(scene);
+  leaveToTheRun([&] { outlook.frameTimes = frameTimes(scene); });
+  leaveToTheRun([&] { outlook.columns = historyColumnsOf(scene); });
+  return outlook;
+}
+
 StudyPlan planStudy(const Study& study, const fs::path& directory, const std::vector<std::string>& only,
                     int atOnce) {
   return Planner(study, directory, atOnce).plan(only);
+}
+
+void requireOutlooks(const Study& study, const StudyPlan& plan) {
+  std::vector<RunOutlook> outlooks(study.runs.size());
+  for (const PlannedRun& planned : plan.runs)
+    outlooks[static_cast<std::size_t>(planned.run - study.runs.data())] = planned.outlook;
+  requireOutlooks(study, outlooks);
 }
 
 void prepareJobs(const StudyPlan& plan, const fs::path& directory) {

@@ -11,12 +11,15 @@
 #include "engine/analysis/check_columns.h"
 #include "engine/analysis/cost_estimate.h"
 #include "engine/analysis/frames.h"
+#include "engine/analysis/history_columns.h"
 #include "engine/analysis/locking.h"
+#include "engine/analysis/measures.h"
 #include "engine/analysis/model.h"
 #include "engine/analysis/nearest_point.h"
-#include "engine/analysis/recorder.h"
+#include "engine/analysis/reactions.h"
 #include "engine/analysis/simulation.h"
 #include "engine/analysis/softening.h"
+#include "engine/analysis/summarise.h"
 #include "engine/analysis/unrecovered.h"
 #include "engine/scene/path_mesh.h"
 #include "engine/scene/scene_places.h"
@@ -35,7 +38,7 @@ std::string summaryOf(const Scene& scene, const Model<Dim>& model) {
         fmt::format("{}{} of degree {}", body.name.empty() ? "" : fmt::format("body {}: ", body.name),
                     body.basis == BasisChoice::Nurbs ? "NURBS" : "Lagrange elements", body.degree));
   return fmt::format(
-      "{} dimensions{}, {}, {} unknowns, {}", Dim, kinematics, fmt::join(bases, ", "), model.numUnknowns(),
+      "{} dimensions{}, {}, {} unknowns, {}", Dim, kinematics, fmt::join(bases, ", "), numEquations(model),
       names.empty() ? "no tools"
                     : fmt::format("{} {}", names.size() == 1 ? "tool" : "tools", fmt::join(names, ", ")));
 }
@@ -157,17 +160,26 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+/// As a run has them, without the projections that only measures need.
+template <int Dim>
+std::vector<std::string> columnsOf(const Scene& scene, const Model<Dim>& model) {
+  const auto projections = scene.measures.empty() ? std::vector<Projection<Dim>>() : projectionsOf(model);
+  const Measures<Dim> measures(scene, model, projections);
+  std::vector<std::string> names;
+  for (HistoryColumn& column :
+       historyColumns(scene, model, Reactions<Dim>(scene, model).columns(), measures.columns()))
+    names.push_back(std::move(column.name));
+  return names;
+}
+
 template <int Dim>
 SceneReport reportInDimension(const Scene& scene) {
   const auto model = buildModel<Dim>(scene);
-  std::vector<std::string> columns;
-  if (!scene.measures.empty() || !scene.wanted.quantities.empty()) {
-    const auto projections = projectionsOf(*model);
-    columns = Recorder<Dim>(scene, *model, projections).columns();
-    requireKnownColumns(scene, columns);
-  }
-  return {summaryOf(scene, *model), warningLines(scene, sceneWarnings(scene, *model, columns)),
-          makeModelRecord(scene, *model), estimateCost(scene, *model)};
+  std::vector<std::string> columns = columnsOf(scene, *model);
+  requireKnownColumns(scene, columns);
+  std::vector<std::string> warnings = warningLines(scene, sceneWarnings(scene, *model, columns));
+  return {summaryOf(scene, *model), std::move(warnings), std::move(columns), makeModelRecord(scene, *model),
+          estimateCost(scene, *model)};
 }
 
 }  // namespace
@@ -202,6 +214,10 @@ std::vector<std::string> warningLines(const Scene& scene, const std::vector<Inpu
 
 SceneReport reportOf(const Scene& scene) {
   return scene.dim() == 2 ? reportInDimension<2>(scene) : reportInDimension<3>(scene);
+}
+
+std::vector<std::string> historyColumnsOf(const Scene& scene) {
+  return scene.dim() == 2 ? columnsOf(scene, *buildModel<2>(scene)) : columnsOf(scene, *buildModel<3>(scene));
 }
 
 template std::vector<InputProblem> sceneWarnings<2>(const Scene&, const Model<2>&,

@@ -12,8 +12,9 @@ namespace burnish {
 
 /// What can be said of a scene without computing it.
 struct SceneReport {
-  std::string summary;                ///< dimension, basis, unknowns, tools
+  std::string summary;                ///< dimension, basis, unknowns as `RunSummary` counts them, tools
   std::vector<std::string> warnings;  ///< with their places: what is probably not meant
+  std::vector<std::string> columns;   ///< of its history
   ModelRecord model;                  ///< as a result has it
   CostEstimate cost;
 };
@@ -32,5 +33,8 @@ std::vector<std::string> warningLines(const Scene& scene, const std::vector<Inpu
 
 /// Builds the model of a scene. Throws `Error` if it cannot be computed, as a run does before it begins.
 SceneReport reportOf(const Scene& scene);
+
+/// The columns of the history alone. Throws as `reportOf` does.
+std::vector<std::string> historyColumnsOf(const Scene& scene);
 
 }  // namespace burnish

@@ -76,11 +76,16 @@ void describeRanks(RunSummary& summary, const Simulation<Dim>& simulation, const
 }
 
 template <int Dim>
+int numEquations(const Model<Dim>& model) {
+  return static_cast<int>(std::ranges::count(model.prescribed(), false));
+}
+
+template <int Dim>
 void describeEnd(RunSummary& summary, const Simulation<Dim>& simulation) {
   const Model<Dim>& model = *simulation.model;
   const SteppingState& state = simulation.stepping.state();
   summary.functions = model.body().numNodes;
-  summary.unknowns = static_cast<int>(simulation.newton.system().freeUnknowns().size());
+  summary.unknowns = numEquations(model);
   summary.cuts = state.cuts;
   summary.smallestStep = state.smallestStep;
   summary.iterations = state.iterations - summary.approachIterations;
@@ -112,6 +117,8 @@ template void addCosts(RunSummary&, Simulation<2>&);
 template void addCosts(RunSummary&, Simulation<3>&);
 template void describeRanks(RunSummary&, const Simulation<2>&, const Team&);
 template void describeRanks(RunSummary&, const Simulation<3>&, const Team&);
+template int numEquations(const Model<2>&);
+template int numEquations(const Model<3>&);
 template void describeEnd(RunSummary&, const Simulation<2>&);
 template void describeEnd(RunSummary&, const Simulation<3>&);
 

@@ -16,6 +16,10 @@ void addCosts(RunSummary& summary, Simulation<Dim>& simulation);
 template <int Dim>
 void describeRanks(RunSummary& summary, const Simulation<Dim>& simulation, const Team& team);
 
+/// Equations of the linear systems: the unknowns that nothing prescribes.
+template <int Dim>
+int numEquations(const Model<Dim>& model);
+
 /// Fills in the size of the problem, the steps and iterations, and what is known of the last state.
 /// summary: with the approach, whether the run is completed, and steps from t = 0 on.
 template <int Dim>

@@ -73,4 +73,11 @@ std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& c
   return grid;
 }
 
+std::vector<double> frameTimes(const Scene& scene) {
+  std::vector<double> times{0.0};
+  for (const TimePoint& point : timeGrid(scene, {}))
+    if (point.frame) times.push_back(point.time);
+  return times;
+}
+
 }  // namespace burnish

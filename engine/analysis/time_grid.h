@@ -18,4 +18,7 @@ struct TimePoint {
 /// exact values. The last one has a frame.
 std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& corners);
 
+/// Times of the frames of a run that comes to its end, that at the start first.
+std::vector<double> frameTimes(const Scene& scene);
+
 }  // namespace burnish

@@ -141,7 +141,7 @@ bool isContactField(const std::string& name) {
   return fieldNamed(name) != nullptr;
 }
 
-bool isFrictionField(const std::string& name) {
+bool isOfFriction(const std::string& name) {
   const ContactField* field = fieldNamed(name);
   return field != nullptr && field->ofFriction;
 }

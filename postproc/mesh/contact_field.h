@@ -17,8 +17,8 @@ namespace burnish {
 std::vector<std::string> contactFieldNames();
 bool isContactField(const std::string& name);
 
-/// Whether a contact field is one of friction.
-bool isFrictionField(const std::string& name);
+/// Whether it is one that only contact with friction has.
+bool isOfFriction(const std::string& name);
 
 /// Those that a frame has.
 std::vector<std::string> contactFieldsOf(const FrameRecord& frame);

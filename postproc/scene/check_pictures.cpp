@@ -7,15 +7,22 @@
 
 #include "engine/core/nearest.h"
 #include "postproc/scene/document_context.h"
+#include "postproc/scene/scene_fields.h"
 
 namespace burnish {
 namespace {
+
+bool materialsAreClean(const CheckContext& c) {
+  if (!c.bodiesAreRead()) return false;
+  for (std::size_t k = 0; k < c.scene.allBodies().size(); ++k)
+    if (!c.clean(c.scene.bodyKey(k, "material"))) return false;
+  return true;
+}
 
 /// Faces with the quadrature points of a contact, and what they touch.
 struct ContactFaces {
   std::vector<FaceSpec> slaves;
   std::vector<FaceSpec> masters;  ///< of pairs
-  bool rub = false;               ///< one of them has friction
 };
 
 ContactFaces contactFacesOf(const Scene& scene) {
@@ -23,30 +30,14 @@ ContactFaces contactFacesOf(const Scene& scene) {
   for (const ContactSpec& contact : scene.contact) {
     result.slaves.push_back(contact.place);
     for (const FaceSpec& face : contact.against) result.masters.push_back(face);
-    result.rub |= contact.options.hasFriction();
   }
-  for (const SelfContactSpec& contact : scene.selfContact) {
+  for (const SelfContactSpec& contact : scene.selfContact)
     for (const FaceSpec& face : contact.places()) result.slaves.push_back(face);
-    result.rub |= contact.options.hasFriction();
-  }
   return result;
 }
 
 bool contactIsRead(const CheckContext& c) {
   return c.clean("contact") && c.clean("self_contact");
-}
-
-/// Fields of contact that no face of the scene has.
-void checkContactField(const CheckContext& c, const std::string& path, const std::string& field) {
-  if (!contactIsRead(c)) return;
-  const ContactFaces faces = contactFacesOf(c.scene);
-  if (faces.slaves.empty())
-    c.report(path, fmt::format("found {}, but nothing is in contact (contact, self_contact); allowed here: a "
-                               "field of bodies, such as von_mises.",
-                               field));
-  else if (isFrictionField(field) && !faces.rub)
-    c.report(path,
-             fmt::format("found {}, but no contact has friction; allowed here: contact_pressure.", field));
 }
 
 /// Whether a probe's face may be one of these.
@@ -83,20 +74,13 @@ void checkContactFace(const CheckContext& c, const std::string& path, const Prob
 /// Fields that these bodies, their materials and their contact have not.
 void checkField(const CheckContext& c, const std::string& path, const std::string& field) {
   if (!c.clean(path)) return;
-  if (isContactField(field)) return checkContactField(c, path, field);
-  const bool threeD = field == "displacement.z" || field == "stress.yz" || field == "stress.zx";
-  if (threeD && c.dimensionIsKnown() && c.scene.dim() == 2)
-    c.report(path, fmt::format("found {}, a component of three-dimensional scenes; allowed here: the "
-                               "components in x and y, and stress.zz.",
-                               field));
-  if (!c.bodiesAreRead()) return;
-  std::string why;
-  for (std::size_t k = 0; k < c.scene.allBodies().size(); ++k) {
-    why = whyWithout(c.scene.allBodies()[k].material, field);
-    if (why.empty() || !c.clean(c.scene.bodyKey(k, "material"))) return;
-  }
-  c.report(path,
-           fmt::format("found {}, but {}; allowed here: another field, such as von_mises.", field, why));
+  const auto reportIf = [&](bool isKnown, const auto& problem) {
+    if (!isKnown) return;
+    if (const std::string text = problem(); !text.empty()) c.report(path, text);
+  };
+  reportIf(c.dimensionIsKnown(), [&] { return componentProblem(c.scene.dim(), field); });
+  reportIf(materialsAreClean(c), [&] { return lawProblem(c.scene, field); });
+  reportIf(contactIsRead(c), [&] { return contactProblem(c.scene, field); });
 }
 
 /// What options say that cannot be.

@@ -7,6 +7,7 @@
 
 #include "postproc/study/combinations.h"
 #include "postproc/study/figures/figures.h"
+#include "postproc/study/measures.h"
 #include "postproc/study/study_reporter.h"
 
 namespace burnish {
@@ -114,6 +115,36 @@ class ReferenceCheck : RunReporter {
   }
 };
 
+/// What needs to know of the results of the runs.
+class OutlookCheck : OutlookReporter {
+ public:
+  using OutlookReporter::OutlookReporter;
+
+  void check() const {
+    const StudySpec& spec = study().spec;
+    for (std::size_t i = 0; i < spec.figures.size(); ++i)
+      checkOutlooksOf(spec.figures[i], fmt::format("figures[{}]", i), *this);
+    for (std::size_t i = 0; i < spec.statements.size(); ++i)
+      for (std::size_t k = 0; k < spec.statements[i].measures.size(); ++k) {
+        const MeasureSpec& measure = spec.statements[i].measures[k];
+        requireMeasure(fmt::format("statements[{}].measures[{}]", i, k), measure,
+                       runsWith(measure, spec.statements[i]));
+      }
+  }
+
+ private:
+  /// The runs of which a statement tells the measure, and those that its claims compare by it.
+  Runs runsWith(const MeasureSpec& measure, const StatementSpec& statement) const {
+    Runs runs = study().matching(statement.runs);
+    for (const ClaimSpec& claim : statement.claims)
+      if (claim.measure == measure.name)
+        for (const auto& parameters : combinations(claim.vary))
+          for (const std::string& text : claim.runs)
+            runs.push_back(&runNamed(study(), fillIn(text, parameters)));
+    return runs;
+  }
+};
+
 }  // namespace
 
 void checkNames(const StudySpec& spec, const YamlNode& root, Diagnostics& errors) {
@@ -122,6 +153,11 @@ void checkNames(const StudySpec& spec, const YamlNode& root, Diagnostics& errors
 
 void checkReferences(const Study& study, const YamlNode& root, Diagnostics& errors) {
   ReferenceCheck(study, root, errors).check();
+}
+
+void checkOutlooks(const Study& study, const std::vector<RunOutlook>& outlooks, const YamlNode& root,
+                   Diagnostics& errors) {
+  OutlookCheck(study, outlooks, root, errors).check();
 }
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/schema/yaml_tree.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/study/study.h"
 
 namespace burnish {
@@ -10,5 +11,9 @@ void checkNames(const StudySpec& spec, const YamlNode& root, Diagnostics& errors
 
 /// The same for what refers to runs, parameters, figures and measures.
 void checkReferences(const Study& study, const YamlNode& root, Diagnostics& errors);
+
+/// The same for what figures and measures ask for that results will not have. outlooks: one for each run.
+void checkOutlooks(const Study& study, const std::vector<RunOutlook>& outlooks, const YamlNode& root,
+                   Diagnostics& errors);
 
 }  // namespace burnish

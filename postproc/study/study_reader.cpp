@@ -101,11 +101,15 @@ class Expansion {
   Diagnostics& errors_;
 };
 
+YamlNode parseStudy(const std::filesystem::path& file, Diagnostics& errors) {
+  return parseDocument(readDocument(file, kStudyKind), kStudyKind, errors);
+}
+
 }  // namespace
 
 Study readStudy(const std::filesystem::path& file) {
   Diagnostics errors(file.string(), {});
-  YamlNode root = parseDocument(readDocument(file, kStudyKind), kStudyKind, errors);
+  YamlNode root = parseStudy(file, errors);
   replaceEndOfRun(root, fmt::format("{}", kEndOfRun));
   for (YamlNode& list : root.children)
     if (list.key == "figures")
@@ -121,6 +125,13 @@ Study readStudy(const std::filesystem::path& file) {
   checkReferences(study, root, errors);
   errors.throwIfAny();
   return study;
+}
+
+void requireOutlooks(const Study& study, const std::vector<RunOutlook>& outlooks) {
+  Diagnostics errors(study.file.string(), {});
+  const YamlNode root = parseStudy(study.file, errors);
+  checkOutlooks(study, outlooks, root, errors);
+  errors.throwIfAny();
 }
 
 }  // namespace burnish

@@ -151,6 +151,34 @@ TEST_F(FiguresCommand, OnlyMakesAFigureAndItsRuns) {
   EXPECT_THAT(unknown.err, HasSubstr("has no figure stres; its figures are energy, stress. Did you mean"));
 }
 
+TEST_F(FiguresCommand, WhatResultsWillNotHaveIsToldBeforeAnythingIsComputed) {
+  writeStudy("material.E=2");
+  write("study.yaml", read("study.yaml") +
+                          "  - {name: map, kind: sheet, runs: [stiff], times: [0.7], field: plastic_strain}\n"
+                          "  - {name: wrong, kind: history, runs: [stiff], y: strain_enery}\n");
+  const std::string told =
+      "study.yaml:8:61: figures[2].times[0]: found 0.7, but the run stiff has no frame at that time, the nearest ones "
+      "are at 0 and 1;";
+  for (const std::string command :
+       {"figures study.yaml -o out", "validate study.yaml", "figures study.yaml --workflow snakemake"}) {
+    const Outcome outcome = shell(dir, BURNISH_COMMAND " " + command);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(told)) << command;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("study.yaml:8:74: figures[2].field: run stiff: found plastic_strain, but the "
+                          "material is elastic;"))
+        << command;
+    EXPECT_THAT(outcome.err,
+                HasSubstr("study.yaml:9:51: figures[3].y: run stiff: formula \"strain_enery\", character 1: "
+                          "there is no column \"strain_enery\". Did you mean \"strain_energy\"?"))
+        << command;
+  }
+  EXPECT_FALSE(fs::exists(dir / "out/runs"));
+  EXPECT_FALSE(fs::exists(dir / "Snakefile"));
+  EXPECT_EQ(figures("--only energy").code, 0) << "the runs of the others are not looked at";
+  EXPECT_THAT(figures("--only wrong").err, HasSubstr("figures[3].y: run stiff: formula"));
+}
+
 TEST_F(FiguresCommand, DocumentAndGalleryGoWhereTheyAreWanted) {
   const Outcome outcome = figures("--document docs/blocks.md --gallery docs/pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

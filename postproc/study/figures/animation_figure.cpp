@@ -8,7 +8,7 @@
 #include "postproc/draw/page/sheet.h"
 #include "postproc/export/video.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -46,6 +46,10 @@ void AnimationFigure::check(const std::string& path, const StudyReporter& report
 
 void AnimationFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
   reporter.runsOf(path + ".runs", runs);
+}
+
+void AnimationFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  reporter.requirePicture(path, picture, reporter.runsOf(path + ".runs", runs), "size");
 }
 
 Files AnimationFigure::draw(const FigureTask& task) const {

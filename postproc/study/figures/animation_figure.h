@@ -16,6 +16,7 @@ struct AnimationFigure {
   static Alternative about();
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
+  void checkOutlooks(const std::string& path, const OutlookReporter& reporter) const;
   std::optional<double> clipOfAll() const { return picture.clip; }
   Files draw(const FigureTask& task) const;
 };

@@ -20,6 +20,7 @@
 ///     PrintPage page(task) const                     the picture for print; what has none is made of pixels alone
 ///     void check(path, reporter) const               reports what is wrong before the runs are known
 ///     void checkReferences(path, reporter) const     reports what is wrong with names of runs and the like
+///     void checkOutlooks(path, reporter) const       reports what it shows of runs that their results will not have
 ///     shownRuns(study) const                         runs whose results it shows; of its patterns `runs` else
 ///     inputs(studyFile) const                        files that it shows beside
 ///     parts() const                                  names of other figures that it shows
@@ -30,6 +31,7 @@ struct Study;
 struct StudyRun;
 class StudyReporter;
 class RunReporter;
+class OutlookReporter;
 
 using Files = std::vector<std::filesystem::path>;
 

@@ -7,7 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/nearest.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -119,6 +119,14 @@ void checkReferencesOf(const FigureSpec& figure, const std::string& path, const 
       [&](const auto& kind) {
         if constexpr (requires { kind.checkReferences(path, reporter); })
           kind.checkReferences(path, reporter);
+      },
+      figure.what);
+}
+
+void checkOutlooksOf(const FigureSpec& figure, const std::string& path, const OutlookReporter& reporter) {
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.checkOutlooks(path, reporter); }) kind.checkOutlooks(path, reporter);
       },
       figure.what);
 }

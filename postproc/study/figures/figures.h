@@ -31,6 +31,9 @@ std::optional<PrintPage> pageOf(const FigureSpec& figure, const FigureTask& task
 void checkFigure(const FigureSpec& figure, const std::string& path, const StudyReporter& reporter);
 void checkReferencesOf(const FigureSpec& figure, const std::string& path, const RunReporter& reporter);
 
+/// The same for what the results of the runs will not have.
+void checkOutlooksOf(const FigureSpec& figure, const std::string& path, const OutlookReporter& reporter);
+
 /// Draws a figure from the results in `studyDirectory`/runs. Returns the files made in
 /// `studyDirectory`/figures: first NAME.png, then its panels NAME_*.png, data NAME*.csv, videos and NAME.pdf or NAME.svg. Throws
 /// `Error` that names the figure if results are missing or do not hold what is to be drawn, and if a file

@@ -5,7 +5,7 @@
 #include "postproc/draw/page/sheet.h"
 #include "postproc/study/evidence/reductions.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 
 namespace burnish {
 namespace {
@@ -61,6 +61,13 @@ void HistoryFigure::checkReferences(const std::string& path, const RunReporter& 
   if (reference && !std::filesystem::exists(inputs(reporter.study().file).front()))
     reporter.report(path + ".reference",
                     fmt::format("found {}, but there is no such file beside the study file.", *reference));
+}
+
+void HistoryFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  const RunReporter::Runs shown = reporter.runsOf(path + ".runs", runs);
+  reporter.requireColumns(path + ".x", x, shown);
+  reporter.requireColumns(path + ".y", y, shown);
+  reporter.requireColumns(path + ".where", where, shown);
 }
 
 std::vector<std::filesystem::path> HistoryFigure::inputs(const std::filesystem::path& studyFile) const {

@@ -21,6 +21,7 @@ struct HistoryFigure {
   static Alternative about();
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
+  void checkOutlooks(const std::string& path, const OutlookReporter& reporter) const;
   std::vector<std::filesystem::path> inputs(const std::filesystem::path& studyFile) const;
   Files draw(const FigureTask& task) const;
   PrintPage page(const FigureTask& task) const;

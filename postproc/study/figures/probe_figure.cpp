@@ -1,10 +1,12 @@
 #include "postproc/study/figures/probe_figure.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 #include "postproc/probe/probed_run.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -75,6 +77,14 @@ void ProbeFigure::check(const std::string& path, const StudyReporter& reporter) 
 
 void ProbeFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
   reporter.checkLooks(path, looks, reporter.runsOf(path + ".runs", runs));
+}
+
+void ProbeFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  const RunReporter::Runs shown = reporter.runsOf(path + ".runs", runs);
+  for (std::size_t k = 0; k < probe.fields.size(); ++k)
+    reporter.requireField(fmt::format("{}.field[{}]", path, k), probe.fields[k], shown);
+  reporter.requireBodies(path + ".body", probe.bodies, shown);
+  reporter.requireFrames(path + ".times", times, shown);
 }
 
 Files ProbeFigure::draw(const FigureTask& task) const {

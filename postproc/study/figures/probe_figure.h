@@ -19,6 +19,7 @@ struct ProbeFigure {
   static Alternative about();
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
+  void checkOutlooks(const std::string& path, const OutlookReporter& reporter) const;
   Files draw(const FigureTask& task) const;
   PrintPage page(const FigureTask& task) const;
 };

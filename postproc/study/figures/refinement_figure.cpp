@@ -14,7 +14,7 @@
 #include "postproc/study/evidence/refinement.h"
 #include "postproc/study/measures.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/text/text_file.h"
 
 namespace burnish {
@@ -206,6 +206,10 @@ void RefinementFigure::checkReferences(const std::string& path, const RunReporte
   for (const StudyRun* run : shown)
     if (!run->parameters.contains(refine)) return reporter.requireParameter(path + ".refine", refine, {run});
   reporter.checkReferences(path + ".measure", measure, shown);
+}
+
+void RefinementFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  reporter.requireMeasure(path + ".measure", measure, reporter.runsOf(path + ".runs", runs));
 }
 
 std::vector<const StudyRun*> RefinementFigure::shownRuns(const Study& study) const {

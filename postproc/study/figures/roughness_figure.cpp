@@ -1,7 +1,7 @@
 #include "postproc/study/figures/roughness_figure.h"
 
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 #include "postproc/text/units.h"
 
 namespace burnish {
@@ -47,6 +47,10 @@ void RoughnessFigure::check(const std::string& path, const StudyReporter& report
 
 void RoughnessFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
   reporter.checkLooks(path, looks, reporter.runsOf(path + ".runs", runs));
+}
+
+void RoughnessFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  reporter.requireFrames(path + ".times", times, reporter.runsOf(path + ".runs", runs));
 }
 
 Files RoughnessFigure::draw(const FigureTask& task) const {

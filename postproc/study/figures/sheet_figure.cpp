@@ -12,7 +12,7 @@
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/page/sheet.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 
 namespace burnish {
 namespace {
@@ -233,6 +233,12 @@ void SheetFigure::checkReferences(const std::string& path, const RunReporter& re
     for (const char* name : {"letter", "label", "time"}) parameters.emplace(name, "");
     if (!reporter.tryTo(path + ".panel_caption", [&] { fillIn(panelCaption, parameters); })) return;
   }
+}
+
+void SheetFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  const RunReporter::Runs shown = reporter.runsOf(path + ".runs", runs);
+  reporter.requirePicture(path, panel, shown, "panel_size");
+  reporter.requireFrames(path + ".times", times, shown);
 }
 
 std::optional<double> SheetFigure::clipOfAll() const {

@@ -30,6 +30,7 @@ struct SheetFigure {
   static Alternative about();
   void check(const std::string& path, const StudyReporter& reporter) const;
   void checkReferences(const std::string& path, const RunReporter& reporter) const;
+  void checkOutlooks(const std::string& path, const OutlookReporter& reporter) const;
   std::optional<double> clipOfAll() const;
   Files draw(const FigureTask& task) const;
   PrintPage page(const FigureTask& task) const;

@@ -8,7 +8,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/page/sheet.h"
 #include "postproc/study/run_data.h"
-#include "postproc/study/study_reporter.h"
+#include "postproc/study/run_outlook.h"
 
 namespace burnish {
 namespace {
@@ -134,6 +134,12 @@ void SurfaceFigure::check(const std::string& path, const StudyReporter& reporter
 
 void SurfaceFigure::checkReferences(const std::string& path, const RunReporter& reporter) const {
   reporter.checkLooks(path, looks, reporter.runsOf(path + ".runs", runs));
+}
+
+void SurfaceFigure::checkOutlooks(const std::string& path, const OutlookReporter& reporter) const {
+  const RunReporter::Runs shown = reporter.runsOf(path + ".runs", runs);
+  reporter.requirePlane(path + ".runs", "a surface", shown);
+  reporter.requireFrames(path + ".times", times, shown);
 }
 
 Files SurfaceFigure::draw(const FigureTask& task) const {

@@ -18,6 +18,7 @@ namespace {
 using samples::replaced;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::StartsWith;
 
 const std::string kPress = R"(geometry: {shape: rectangle, size: [2, 1], spans: [4, 2]}
@@ -50,8 +51,16 @@ std::string errorOf(const std::string& yaml, const std::vector<std::string>& ove
 
 TEST(SceneReport, SaysWhatIsComputed) {
   const SceneReport report = reportOf(parseScene(kPress, "test.yaml"));
-  EXPECT_EQ(report.summary, "2 dimensions, plane strain, NURBS of degree 2, 54 unknowns, tool disc");
+  EXPECT_EQ(report.summary, "2 dimensions, plane strain, NURBS of degree 2, 42 unknowns, tool disc");
   EXPECT_THAT(report.warnings, ElementsAre());
+}
+
+TEST(SceneReport, HasTheColumnsOfTheHistory) {
+  const Scene scene =
+      parseScene(replaced(kPress, "steps:", "measures: [{name: top, face: top}]\nsteps:"), "test.yaml");
+  const std::vector<std::string> columns = reportOf(scene).columns;
+  EXPECT_THAT(columns, IsSupersetOf({"time", "disc.fy", "strain_energy", "top.fx"}));
+  EXPECT_EQ(historyColumnsOf(scene), columns);
 }
 
 TEST(SceneReport, TellsWhatARunWillTake) {

@@ -37,5 +37,13 @@ TEST(TimeGrid, TimesThatDifferByRoundingAreOne) {
   EXPECT_EQ(grid.back().time, 1.0);
 }
 
+TEST(TimeGrid, FramesAreKnownBeforeARun) {
+  Scene scene;
+  scene.steps = {{1.0, 4}, {2.0, 2}};
+  scene.output.times = {0.3};
+  scene.wanted.frames = {1.25};
+  EXPECT_EQ(frameTimes(scene), (std::vector<double>{0.0, 0.3, 1.25, 2.0}));
+}
+
 }  // namespace
 }  // namespace burnish

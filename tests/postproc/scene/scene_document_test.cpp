@@ -237,10 +237,9 @@ steps: [{until: 1, count: 2}]
 TEST(SceneDocument, RefusesContactFieldsThatNoFaceWillHave) {
   const std::string noContact = block.substr(0, block.find("tools:")) + "steps: [{until: 1, count: 1}]\n";
   EXPECT_THAT(errorOf(noContact + "pictures: [{field: contact_pressure}]\n"),
-              HasSubstr("pictures[0].field: found contact_pressure, but nothing is in contact"));
+              HasSubstr("pictures[0].field: found contact_pressure, but the scene has no contact"));
   EXPECT_THAT(errorOf(kPress + "pictures: [{field: slip}]\n"),
-              HasSubstr("pictures[0].field: found slip, but no contact has friction; allowed here: "
-                        "contact_pressure."));
+              HasSubstr("pictures[0].field: found slip, but no contact of the scene has friction"));
   EXPECT_EQ(errorOf(replaced(kPress, "{tool: disc, face: top}", "{tool: disc, face: top, friction: 0.1}") +
                     "pictures: [{field: slip}]\nprobes: [{name: a, face: top, field: [sliding]}]\n"),
             "no error");

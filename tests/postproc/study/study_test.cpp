@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/schema/json_schema.h"
+#include "postproc/scene/scene_document.h"
 #include "postproc/study/combinations.h"
 #include "postproc/study/run_data.h"
 #include "postproc/study/study_listing.h"
@@ -67,10 +69,11 @@ class StudyFile : public testing::Test {
     return readStudy(dir_ / "study.yaml");
   }
 
-  /// The error without the directory.
-  std::string errorOf(const std::string& text) const {
+  /// The error without the directory, of reading or of what is done with the study then.
+  std::string errorOf(
+      const std::string& text, const std::function<void(const Study&)>& use = [](const Study&) {}) const {
     try {
-      read(text);
+      use(read(text));
       return "no error";
     } catch (const Error& error) {
       std::string message = error.what();
@@ -265,6 +268,76 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"figure", "figures: [both]", "figures: [all]",
                 "study.yaml:23:15: statements[0].figures[0]: found all; allowed: energy | map | both."}),
     nameOf);
+
+/// A mistake that shows only in what the results of the runs will have.
+class OutlookMistake : public StudyMistake {
+ protected:
+  std::string outlookErrorOf(const std::string& text) const {
+    return errorOf(text, [](const Study& study) {
+      RunOutlook outlook = outlookOf(parseSceneDocument(kScene, "block.yaml").scene);
+      outlook.frameTimes = {0.0, 0.5, 1.0};
+      outlook.columns = {"time", "strain_energy", "disc.fy"};
+      std::vector<RunOutlook> outlooks(study.runs.size(), outlook);
+      outlooks.front() = {};  // of which nothing is known
+      requireOutlooks(study, outlooks);
+    });
+  }
+};
+
+TEST_P(OutlookMistake, isReportedWithPlaceKeyAndRemedy) {
+  const std::string error = outlookErrorOf(replaced(kStudy, GetParam().from, GetParam().to));
+  EXPECT_TRUE(error.starts_with(GetParam().error)) << error;
+  EXPECT_EQ(error.find('\n'), std::string::npos) << "only one thing is wrong:\n" << error;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Results, OutlookMistake,
+    testing::Values(
+        Mistake{
+            "column", "y: strain_energy, looks", "y: strain_enery, looks",
+            "study.yaml:12:65: figures[0].y: run block-nurbs-2: formula \"strain_enery\", character 1: there is no "
+            "column \"strain_enery\". Did you mean \"strain_energy\"? The columns are time, strain_energy, disc.fy"},
+        Mistake{
+            "columnOfX", "y: strain_energy, looks", "y: 2*disc.fy, x: tme, looks",
+            "study.yaml:12:78: figures[0].x: run block-nurbs-2: formula \"tme\", character 1: there is no column"},
+        Mistake{
+            "columnOfMeasure", "y: strain_energy, reduce: max",
+            "y: strain_energy, where: step > 1, reduce: max",
+            "study.yaml:20:75: statements[0].measures[0].where: run block-nurbs-2: formula \"step > 1\", character "
+            "1: there is no column \"step\""},
+        Mistake{
+            "time", "times: [0, 1]", "times: [0, 0.75]",
+            "study.yaml:13:61: figures[1].times[1]: found 0.75, but the run soft has no frame at that time, the "
+            "nearest ones are at 0.5 and 1; allowed: a time of a frame, or output: {times: [0.75]} in the scene"},
+        Mistake{
+            "timeBehindTheEnd", "times: [0, 1]", "times: [0, 2]",
+            "study.yaml:13:61: figures[1].times[1]: found 2, but the run soft ends at t = 1; allowed: a time up to "
+            "then."},
+        Mistake{
+            "fieldOfAnotherLaw", "field: von_mises", "field: plastic_strain",
+            "study.yaml:13:93: figures[1].field: run soft: found plastic_strain, but the material is elastic; "
+            "allowed here: another field, such as von_mises."},
+        Mistake{
+            "fieldOfContact", "field: von_mises", "field: contact_pressure",
+            "study.yaml:13:93: figures[1].field: run soft: found contact_pressure, but the scene has no contact;"},
+        Mistake{
+            "component", "field: von_mises", "field: stress.yz",
+            "study.yaml:13:93: figures[1].field: run soft: found stress.yz, a component of three-dimensional scenes;"},
+        Mistake{
+            "body", "field: von_mises", "field: von_mises, body: [block]",
+            "study.yaml:13:118: figures[1].body[0]: found block, but the one body of the run soft has no name; "
+            "leave the key out."},
+        Mistake{"cutInThePlane", "field: von_mises", "field: von_mises, cut: x=1",
+                "study.yaml:13:111: figures[1].cut: "},
+        Mistake{"line", "kind: history, y: strain_energy, reduce: max",
+                "kind: line, field: back_stress.xx, time: 0.7",
+                "study.yaml:20:62: statements[0].measures[0].field: found"}),
+    nameOf);
+
+TEST_F(OutlookMistake, NothingIsWrongWithWhatIsThere) {
+  EXPECT_EQ(outlookErrorOf(kStudy), "no error");
+  EXPECT_EQ(outlookErrorOf(replaced(kStudy, "times: [0, 1]", "times: [0.5, end]")), "no error");
+}
 
 TEST_F(StudyFile, filesThatAreNoStudyAreRefused) {
   EXPECT_EQ(errorOf(""), "study.yaml:1:1: the file is empty; a study has at least runs and figures");
