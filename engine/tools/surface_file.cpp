@@ -24,6 +24,8 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
+#include "engine/core/stl_counts.h"
 #include "engine/tools/polygon_soup.h"
 
 namespace burnish {
@@ -236,6 +238,8 @@ SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool op
   try {
     std::vector<Point> points;
     Polygons polygons;
+    if (inLowerCase(file.extension().string()) == ".stl")
+      if (const std::string damage = stlDamage(file); !damage.empty()) throw Error(damage);
     if (!readPolygonSoup(file, points, polygons) || polygons.empty())
       throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
     requireUsable(points, polygons);

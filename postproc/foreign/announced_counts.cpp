@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -13,7 +12,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
-#include "engine/core/lower_case.h"
+#include "engine/core/stl_counts.h"
 
 namespace burnish {
 namespace {
@@ -26,36 +25,9 @@ void require(bool holds, const fs::path& file, const char* what, std::int64_t an
                             announced, what, found));
 }
 
-/// Binary: 80 bytes, the number of triangles, 50 bytes for each. In letters: facets and an end.
 void requireStl(const fs::path& file) {
-  constexpr std::int64_t kHead = 84, kTriangle = 50;
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(kHead, '\0');
-  stream.read(head.data(), kHead);
-  const bool isText = inLowerCase(head.substr(0, 5)) == "solid" && head.find('\0') == std::string::npos;
-  const auto size = static_cast<std::int64_t>(fs::file_size(file));
-  if (!isText) {
-    std::uint32_t announced = 0;
-    std::memcpy(&announced, head.data() + kHead - sizeof(announced), sizeof(announced));
-    const std::int64_t found = std::max<std::int64_t>(0, size - kHead) / kTriangle;
-    return require(found >= announced && size >= kHead, file, "triangles", announced, found);
-  }
-  stream.clear();
-  stream.seekg(0);
-  std::string line;
-  std::int64_t begun = 0, ended = 0;
-  bool isEnded = false;
-  while (std::getline(stream, line)) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    word = inLowerCase(word);
-    if (word == "facet") ++begun;
-    if (word == "endfacet") ++ended;
-    if (word == "endsolid") isEnded = true;
-  }
-  require(begun == ended, file, "triangles", begun, ended);
-  if (!isEnded) throw Error(fmt::format("{}: the file is damaged: it has no endsolid", file.string()));
+  if (const std::string damage = stlDamage(file); !damage.empty())
+    throw Error(fmt::format("{}: {}", file.string(), damage));
 }
 
 /// The numbers behind words that begin a line of a header, each the first one.

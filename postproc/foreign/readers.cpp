@@ -97,10 +97,45 @@ class ComplaintWindow : public vtkOutputWindow {
 };
 vtkStandardNewMacro(ComplaintWindow);
 
+/// The value of an attribute in a tag of XML, or nothing.
+std::string_view attributeIn(std::string_view tag, std::string_view name) {
+  const std::size_t found = tag.find(fmt::format(" {}=\"", name));
+  if (found == std::string_view::npos) return {};
+  const std::size_t begin = found + name.size() + 3;
+  return tag.substr(begin, tag.find('"', begin) - begin);
+}
+
+/// The first value of a file of VTK's XML in letters that is a word, such as nan, which the reader stops at; with its array.
+std::string wordAmongNumbers(const fs::path& file) {
+  constexpr std::uintmax_t kLargest = 256'000'000;
+  constexpr const char* kNumbers = " \t\r\n0123456789+-.eE";
+  std::error_code status;
+  if (!endingOf(file).starts_with(".vt") || fs::file_size(file, status) > kLargest) return "";
+  std::ifstream stream(file, std::ios::binary);
+  const std::string contents{std::istreambuf_iterator<char>(stream), {}};
+  const std::string_view text = contents;
+  for (std::size_t at = text.find("<DataArray "); at != std::string_view::npos;
+       at = text.find("<DataArray ", at + 1)) {
+    const std::string_view tag = text.substr(at, text.find('>', at) - at);
+    if (attributeIn(tag, "format") != "ascii" || tag.ends_with('/')) continue;
+    std::string_view values = text.substr(at + tag.size());
+    values = values.substr(std::min<std::size_t>(1, values.size()), values.find('<') - 1);
+    const std::size_t odd = values.find_first_not_of(kNumbers);
+    if (odd == std::string_view::npos) continue;
+    const std::size_t begin = values.find_last_of(" \t\r\n", odd) + 1;  // 0 if there is none
+    const std::string_view word = values.substr(begin, values.find_first_of(" \t\r\n", odd) - begin);
+    return fmt::format(
+        "; the array {} holds {} in letters, which this reader does not know: write the file in binary",
+        quoted(std::string(attributeIn(tag, "Name"))), quoted(std::string(word)));
+  }
+  return "";
+}
+
 Error cannotBeRead(const fs::path& file) {
   const ForeignFormat* format = foreignFormat(file);
-  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged{}", file.string(),
-                           format != nullptr ? format->words : "file", complaintText()));
+  return Error(fmt::format("{}: this is no {} of its ending, or it is damaged{}{}", file.string(),
+                           format != nullptr ? format->words : "file", complaintText(),
+                           numComplaints > 0 ? wordAmongNumbers(file) : ""));
 }
 
 void requireThere(const fs::path& file) {
@@ -289,10 +324,15 @@ vtkSmartPointer<vtkXMLDataElement> rootOf(const fs::path& file) {
 
 std::unique_ptr<ForeignSource> openFile(const fs::path& file);
 
+/// What is wrong with a file that others name, behind these.
+Error ofPart(const std::string& whole, const Error& error) {
+  return Error(fmt::format("{}: {}", whole, error.what()));
+}
+
 /// The files that a `.pvtu` or `.pvtp` file names. VTK's reader of them is silent about damaged ones.
 class PieceSource : public ForeignSource {
  public:
-  explicit PieceSource(const fs::path& file) {
+  explicit PieceSource(const fs::path& file) : file_(file) {
     const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
     const char* kind = endingOf(file) == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
     vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind) : nullptr;
@@ -304,9 +344,13 @@ class PieceSource : public ForeignSource {
 
   std::vector<ForeignBlock> blocks(std::size_t /*instant*/) override {
     std::vector<ForeignBlock> all;
-    for (std::size_t k = 0; k < pieces_.size(); ++k)
-      for (ForeignBlock& block : openPart(pieces_[k])->blocks(0))
-        all.push_back({fmt::format("piece {}", k), block.grid});
+    try {
+      for (std::size_t k = 0; k < pieces_.size(); ++k)
+        for (ForeignBlock& block : openPart(pieces_[k])->blocks(0))
+          all.push_back({fmt::format("piece {}", k), block.grid});
+    } catch (const Error& error) {
+      throw ofPart(file_.string(), error);
+    }
     return all;
   }
 
@@ -318,6 +362,7 @@ class PieceSource : public ForeignSource {
   }
 
  private:
+  fs::path file_;
   std::vector<fs::path> pieces_;
 };
 
@@ -334,7 +379,7 @@ double timeIn(const char* text, const fs::path& file) {
 /// A ParaView collection: files by their times, those of one time in the order of the file.
 class CollectionSource : public ForeignSource {
  public:
-  explicit CollectionSource(const fs::path& file) {
+  explicit CollectionSource(const fs::path& file) : file_(file) {
     const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
     vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
     if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
@@ -357,12 +402,16 @@ class CollectionSource : public ForeignSource {
 
   std::vector<ForeignBlock> blocks(std::size_t instant) override {
     std::vector<ForeignBlock> all;
-    for (const Entry& entry : entries_.at(instant))
-      for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
-        all.push_back({entry.name.empty()   ? block.name
-                       : block.name.empty() ? typedName(entry.name)
-                                            : typedName(entry.name + " " + block.name),
-                       block.grid});
+    try {
+      for (const Entry& entry : entries_.at(instant))
+        for (ForeignBlock& block : openEntry(entry.file)->blocks(0))
+          all.push_back({entry.name.empty()   ? block.name
+                         : block.name.empty() ? typedName(entry.name)
+                                              : typedName(entry.name + " " + block.name),
+                         block.grid});
+    } catch (const Error& error) {
+      throw ofPart(fmt::format("{}: t = {}", file_.string(), times_.at(instant)), error);
+    }
     return all;
   }
 
@@ -381,6 +430,7 @@ class CollectionSource : public ForeignSource {
                             fmt::join(kEndings, ", ")));
   }
 
+  fs::path file_;
   std::vector<double> times_;
   std::vector<std::vector<Entry>> entries_;
 };

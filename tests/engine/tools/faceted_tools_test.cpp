@@ -203,6 +203,21 @@ std::string mistakeIn(const std::filesystem::path& file, bool open = false) {
   return "";
 }
 
+TEST(MeshTool, AFileThatWasCutOffSaysSo) {
+  const auto file = std::filesystem::temp_directory_path() / fmt::format("burnish_cut_{}.stl", ::getpid());
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  std::ofstream(file) << "solid s\n" << facet << facet.substr(0, 40);
+  EXPECT_THAT(mistakeIn(file), HasSubstr(".stl: the file is damaged: it announces 2 triangles and holds 1"));
+  std::ofstream(file) << "solid s\n" << facet;
+  EXPECT_THAT(mistakeIn(file, true), HasSubstr(".stl: the file is damaged: it has no endsolid"));
+  std::string binary(84 + 50, '\0');
+  binary[80] = 12;
+  std::ofstream(file, std::ios::binary) << binary;
+  EXPECT_THAT(mistakeIn(file), HasSubstr(".stl: the file is damaged: it announces 12 triangles and holds 1"));
+  std::filesystem::remove(file);
+}
+
 TEST(MeshTool, MistakesAreCountedAndPlaced) {
   EXPECT_THAT(mistakeIn("none.stl"), HasSubstr("none.stl: there is no such file"));
   Soup rim = cube();

@@ -1,5 +1,6 @@
 #include "postproc/foreign/foreign_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -133,6 +134,25 @@ TEST_F(ForeignFiles, WhatTheReaderSaysStandsInTheSentence) {
   EXPECT_THAT(
       messageOf([&] { ForeignFile(dir_ / "narrow.vtk").blocks(0); }),
       HasSubstr("it announces 1 cells and holds 0; its reader says: Unsupported data type: vtktypeint32"));
+}
+
+/// A part that others name is told with these, and with its time.
+TEST_F(ForeignFiles, ASeriesNamesItselfAndTheTimeOfAPartThatCannotBeRead) {
+  for (const char* name : {"fenicsx.pvd", "fenicsx000000.pvtu", "fenicsx000001.pvtu", "fenicsx000002.pvtu",
+                           "fenicsx_p0_000000.vtu", "fenicsx_p0_000001.vtu"})
+    fs::copy_file(sampleOf(name), dir_ / name);
+  const ForeignFile series(dir_ / "fenicsx.pvd");
+  const double last = series.times().back();
+  EXPECT_EQ(
+      messageOf([&] { series.blocks(series.times().size() - 1); }),
+      fmt::format(
+          "{0}/fenicsx.pvd: t = {1}: {0}/fenicsx000002.pvtu: {0}/fenicsx_p0_000002.vtu: there is no such "
+          "file",
+          dir_.string(), last));
+  writeBytes({'x'}, dir_ / "fenicsx_p0_000000.vtu");
+  EXPECT_THAT(messageOf([&] { series.blocks(0); }),
+              HasSubstr(fmt::format("fenicsx.pvd: t = {}: ", series.times().front())));
+  EXPECT_EQ(series.blocks(1).size(), 1U) << "the others can be read";
 }
 
 TEST(ForeignFields, HaveNamesOfTheirOwnThatOneCanGive) {
