@@ -16,29 +16,14 @@
 namespace burnish {
 namespace {
 
-/// Components of a field of the frame, and `magnitude` if it has one.
-std::vector<std::string> componentsOf(const std::string& field, const FrameRecord& frame) {
+/// Components of a field among these names, and `magnitude` if it has one.
+std::vector<std::string> componentsOf(const std::string& field, const std::vector<std::string>& names) {
   std::vector<std::string> components;
-  for (const std::string& name : fieldNames(frame)) {
+  for (const std::string& name : names) {
     if (name.starts_with(field + ".")) components.push_back(name.substr(field.size() + 1));
     if (name == field) components.emplace_back("magnitude");
   }
   return components;
-}
-
-/// As `drawContour` has it, which knows what there is.
-std::string fieldName(const PictureArguments& arguments, const FrameRecord& frame) {
-  const std::string field = arguments.field.empty() ? fieldToShow(frame) : arguments.field;
-  if (arguments.component.empty()) return field;
-  const std::vector<std::string> components = componentsOf(field, frame);
-  if (components.size() > 1 &&
-      std::find(components.begin(), components.end(), arguments.component) == components.end())
-    throw Error(fmt::format("--component: found \"{}\"; {} has {}.{}", arguments.component, field,
-                            fmt::join(components, ", "), didYouMean(arguments.component, components)));
-  if (components.size() == 1 && arguments.component != components.front())
-    throw Error(fmt::format("--component: found \"{}\"; {} is one number at each place, without components",
-                            arguments.component, field));
-  return arguments.component == "magnitude" ? field : field + "." + arguments.component;
 }
 
 void throwFirst(const std::vector<InputProblem>& problems) {
@@ -47,6 +32,23 @@ void throwFirst(const std::vector<InputProblem>& problems) {
 }
 
 }  // namespace
+
+std::string drawnField(const PictureArguments& arguments, const std::string& usual,
+                       const std::vector<std::string>& names) {
+  const std::string field = arguments.field.empty() ? usual : arguments.field;
+  const std::vector<std::string> components = componentsOf(field, names);
+  if (arguments.component.empty() || components.empty()) return field;
+  const std::string words =
+      arguments.field.empty() ? fmt::format("{}, which is drawn without --field,", field) : field;
+  if (components.size() > 1 &&
+      std::find(components.begin(), components.end(), arguments.component) == components.end())
+    throw Error(fmt::format("--component: found \"{}\"; {} has {}.{}", arguments.component, words,
+                            fmt::join(components, ", "), didYouMean(arguments.component, components)));
+  if (components.size() == 1 && arguments.component != components.front())
+    throw Error(fmt::format("--component: found \"{}\"; {} is one number at each place, without components",
+                            arguments.component, words));
+  return arguments.component == "magnitude" ? field : field + "." + arguments.component;
+}
 
 void requireNoConflicts(const PictureOptions& options, std::optional<int> dim) {
   throwFirst(conflictsIn(options, dim));
@@ -116,9 +118,10 @@ ContourOptions ownOptions(const PictureArguments& arguments, const ResultReader&
   PictureOptions picture;
   picture.range = rangeOf(arguments);
   readPicture(arguments, picture, result.model().dim);
-  picture.field = withShownModel(
-      result.model(), record, picture,
-      [&](const ModelRecord&, const FrameRecord& shown) { return fieldName(arguments, shown); });
+  picture.field =
+      withShownModel(result.model(), record, picture, [&](const ModelRecord&, const FrameRecord& shown) {
+        return drawnField(arguments, fieldToShow(shown), fieldNames(shown));
+      });
   return contourOptions(picture, result, record);
 }
 

@@ -60,6 +60,11 @@ void addFieldArguments(CLI::App& command, PictureArguments& arguments);
 /// Adds the result and all of these options to a command.
 void addPictureArguments(CLI::App& command, PictureArguments& arguments);
 
+/// The field that is drawn, with its component: the one that was given, even if it is none of these names, or the usual one.
+/// Throws `Error` for a component that the field does not have.
+std::string drawnField(const PictureArguments& arguments, const std::string& usual,
+                       const std::vector<std::string>& names);
+
 /// The range that was given; nothing for one that is found. Throws `Error` that names the option.
 std::optional<std::array<double, 2>> rangeOf(const PictureArguments& arguments);
 

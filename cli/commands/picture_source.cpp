@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "engine/core/error.h"
 #include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
+#include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_picture.h"
 
 namespace burnish {
@@ -46,6 +48,31 @@ PictureSource sourceOfRun(const PictureArguments& arguments) {
           }};
 }
 
+/// Components of other programs have numbers, too.
+std::string drawnField(const PictureArguments& arguments, const ForeignFile& file, int instant) {
+  const std::string usual = foreignFieldToShow(file, instant);
+  const std::vector<ForeignField> fields = foreignFieldsOf(file.blocks(static_cast<std::size_t>(instant)));
+  const std::string numbered =
+      fmt::format("{}.{}", arguments.field.empty() ? usual : arguments.field, arguments.component);
+  if (!arguments.component.empty() && findForeignField(fields, numbered)) return numbered;
+  return drawnField(arguments, usual, foreignFieldNames(fields));
+}
+
+/// Acts; what is wrong with a field that nobody asked for says how one is asked for.
+template <class Act>
+auto withChosenField(const PictureArguments& arguments, const Act& act) {
+  constexpr std::string_view kField = "field: ";
+  try {
+    return act();
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    if (!arguments.field.empty() || !text.starts_with(kField)) throw;
+    throw Error(fmt::format(
+        "--field: left out, and the usual field is not in all that is drawn: {} Give one that is.",
+        text.substr(kField.size())));
+  }
+}
+
 /// How an instant is drawn if it shares nothing with others.
 ForeignOptions ownForeignOptions(const PictureArguments& arguments, const ForeignFile& file, int instant) {
   PictureOptions picture;
@@ -59,9 +86,7 @@ ForeignOptions ownForeignOptions(const PictureArguments& arguments, const Foreig
   ForeignOptions options(picture);
   options.toolOpacity = PictureOptions().toolOpacity;
   options.addedWarp = std::exchange(options.warp, 1.0);
-  options.field = arguments.field.empty() ? foreignFieldToShow(file, instant) : arguments.field;
-  if (!arguments.component.empty() && arguments.component != "magnitude")
-    options.field += "." + arguments.component;
+  options.field = drawnField(arguments, file, instant);
   return options;
 }
 
@@ -80,10 +105,12 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
   const auto file = std::make_shared<const ForeignFile>(arguments.result);
   return {instantsOf(*file),
           [file, &arguments](const std::vector<int>& frames) {
-            const ForeignOptions options = foreignOptions(arguments, *file, frames);
-            return PictureSource::Series{options.transparent, [=](const std::vector<fs::path>& names) {
-                                           drawForeign(*file, frames, options, names);
-                                         }};
+            const ForeignOptions options =
+                withChosenField(arguments, [&] { return foreignOptions(arguments, *file, frames); });
+            return PictureSource::Series{
+                options.transparent, [=, &arguments](const std::vector<fs::path>& names) {
+                  withChosenField(arguments, [&] { drawForeign(*file, frames, options, names); });
+                }};
           },
           [file, &arguments](int first) {
             const ForeignOptions own = ownForeignOptions(arguments, *file, first);
@@ -92,16 +119,18 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
               static_cast<ContourOptions&>(changed) = options;
               return changed;
             };
-            return PictureSource::Single{own, "",
-                                         [=](int instant, const ContourOptions& options, bool, bool) {
-                                           return foreignView(*file, instant, with(options));
-                                         },
-                                         [=](int instant, const ContourOptions& options) {
-                                           return foreignImage(*file, instant, with(options));
-                                         },
-                                         [=](int instant, const ContourOptions& options) {
-                                           return foreignPage(*file, instant, with(options));
-                                         }};
+            return PictureSource::Single{
+                own, "",
+                [=, &arguments](int instant, const ContourOptions& options, bool, bool) {
+                  return withChosenField(arguments,
+                                         [&] { return foreignView(*file, instant, with(options)); });
+                },
+                [=](int instant, const ContourOptions& options) {
+                  return foreignImage(*file, instant, with(options));
+                },
+                [=](int instant, const ContourOptions& options) {
+                  return foreignPage(*file, instant, with(options));
+                }};
           }};
 }
 

@@ -61,6 +61,17 @@ std::vector<ProbedRun> probedRuns(const ProbeSource& result, const std::string& 
   return runs;
 }
 
+/// What is wrong with one of several results; behind the option, if it is one that does not suit this result.
+Error ofResult(const std::filesystem::path& result, const Error& error) {
+  const std::string text = error.what();
+  if (text.starts_with(result.string() + ":")) return error;
+  const std::size_t end = text.find(": ");
+  const bool isOption =
+      end != std::string::npos && end > 0 && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_-") == end;
+  if (!isOption) return Error(fmt::format("{}: {}", result.string(), text));
+  return Error(fmt::format("{}: {}: {}", text.substr(0, end), result.string(), text.substr(end + 2)));
+}
+
 /// Calls `act` with each result and its name, which is empty for the only one.
 template <class Act>
 void forEachResult(const ProbeArguments& arguments, const std::vector<ProbeSource>& results, const Act& act) {
@@ -74,7 +85,7 @@ void forEachResult(const ProbeArguments& arguments, const std::vector<ProbeSourc
       act(results[k], named ? names[k] : "");
     } catch (const Error& error) {
       if (results.size() == 1) throw;
-      throw Error(fmt::format("{}: {}", arguments.results[k].string(), error.what()));
+      throw ofResult(arguments.results[k], error);
     }
   }
 }
