@@ -1,6 +1,7 @@
 #include "postproc/compare/comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -164,7 +165,8 @@ std::vector<std::string> acceptActual(std::vector<Comparison>& comparisons,
   for (const std::string& pattern : patterns)
     if (std::none_of(comparisons.begin(), comparisons.end(),
                      [&](const Comparison& comparison) { return matches(pattern, comparison); }))
-      throw Error(fmt::format("--accept: found no picture \"{}\".{}", pattern, didYouMean(pattern, names)));
+      throw Error(fmt::format("--accept: found no picture \"{}\"; expected one of {}.{}", pattern,
+                              fmt::join(names, ", "), didYouMean(pattern, names)));
 
   std::vector<Comparison*> chosen;
   for (Comparison& comparison : comparisons)

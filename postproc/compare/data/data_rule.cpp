@@ -1,6 +1,7 @@
 #include "postproc/compare/data/data_rule.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -69,10 +70,13 @@ bool isCompared(const DataRule& rule, const std::string& field) {
 }
 
 void requireMatches(const DataRule& rule, const std::vector<std::string>& names) {
+  std::vector<std::string> known;  // several pairs have the same
+  for (const std::string& name : names)
+    if (std::ranges::count(known, name) == 0) known.push_back(name);
   const auto require = [&](const char* option, const std::string& pattern) {
-    if (std::ranges::none_of(names, [&](const std::string& name) { return matchesPattern(pattern, name); }))
-      throw Error(
-          fmt::format("{}: found no field {}.{}", option, quoted(pattern), didYouMean(pattern, names)));
+    if (std::ranges::none_of(known, [&](const std::string& name) { return matchesPattern(pattern, name); }))
+      throw Error(fmt::format("{}: found no field {}; expected one of {}.{}", option, quoted(pattern),
+                              fmt::join(known, ", "), didYouMean(pattern, known)));
   };
   for (const FieldTolerance& own : rule.fields) require("--tolerance", own.pattern);
   for (const std::string& pattern : rule.only) require("--only", pattern);
