@@ -14,6 +14,8 @@
 #include "cli/output_target.h"
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
+#include "engine/core/quoted.h"
+#include "postproc/draw/page/print_file.h"
 
 namespace burnish {
 namespace {
@@ -22,6 +24,13 @@ namespace fs = std::filesystem;
 
 constexpr std::array kMarkers{std::pair{"some", ChartMarkers::Some}, std::pair{"all", ChartMarkers::All},
                               std::pair{"none", ChartMarkers::None}};
+
+void requireChartName(const fs::path& picture) {
+  const std::string ending = picture.extension().string();
+  if (picture.empty() || isStandardOutput(picture) || ending == ".png" || isPrintFile(picture)) return;
+  throw Error(fmt::format("-o: found {}; expected the name of a chart that ends in .png, .svg or .pdf{}",
+                          quoted(picture.string()), ending == ".csv" ? "; --csv names the table" : ""));
+}
 
 }  // namespace
 
@@ -151,6 +160,7 @@ void writePicture(const Chart& chart, const ChartOutputs& outputs) {
 }
 
 void checkOutputs(const ChartOutputs& outputs, std::vector<fs::path> inputs) {
+  requireChartName(outputs.picture);
   if (outputs.picture.empty() && outputs.csv.empty())
     throw Error("-o: found no name of a chart; expected one that ends in .png, .svg or .pdf, or --csv FILE");
   if (outputs.printsData() && outputs.printsPicture())

@@ -26,6 +26,17 @@ std::string differenceText(const LargestDifference& difference, const std::strin
                      found.largest, share, x, found.largestAt);
 }
 
+/// How the rows are left out that a logarithmic axis does not show; empty for other mistakes.
+std::string whereHint(const Error& error, const PlotArguments& arguments) {
+  const std::string text = error.what();
+  if (!text.starts_with("log: ")) return "";
+  const bool ofX = text.find("\" has x = ") != std::string::npos;
+  const std::string formula = ofX                                             ? arguments.x
+                              : arguments.y.size() + arguments.y2.size() == 1 ? arguments.y.front()
+                                                                              : "EXPR";
+  return fmt::format("; --where {} leaves other rows out", shellWord(formula + " > 0"));
+}
+
 ExitCode plot(const PlotArguments& arguments, const ChartOutputs& outputs) {
   std::vector<std::filesystem::path> inputs;
   for (const std::filesystem::path& path : arguments.histories) inputs.push_back(historyFile(path));
@@ -37,7 +48,11 @@ ExitCode plot(const PlotArguments& arguments, const ChartOutputs& outputs) {
     for (std::size_t k = 0; k < chart.curves.size(); ++k) chart.curves[k].label = plotted.legend[k];
     // What a single curve is, the axis says.
     chart.legend = chart.curves.size() > 1 || !arguments.chart.labels.empty();
-    writePicture(chart, outputs);
+    try {
+      writePicture(chart, outputs);
+    } catch (const Error& error) {
+      throw Error(error.what() + whereHint(error, arguments));
+    }
   }
   if (outputs.printsData())
     printText(chartDataText(plotted.chart));

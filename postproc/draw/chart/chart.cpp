@@ -56,7 +56,7 @@ void checkPoints(const Chart& chart, std::size_t number) {
     const ChartAxis& y = curve.onRight ? chart.y2 : chart.y;
     if (inX || (y.logarithmic && curve.y[k] < kSmallestDrawnSpan))
       throw Error(fmt::format(
-          "chart: point {} of \"{}\" has {} = {}; a logarithmic axis shows positive values only, from {} on",
+          "log: point {} of \"{}\" has {} = {}; a logarithmic axis shows positive values only, from {} on",
           k + 1, curveName(chart, number), inX ? "x" : "y", inX ? curve.x[k] : curve.y[k],
           kSmallestDrawnSpan));
   }
