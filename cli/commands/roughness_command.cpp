@@ -20,11 +20,13 @@
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/unit_label.h"
 #include "engine/results/history.h"
 #include "engine/results/result_files.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/doubt_mark.h"
+#include "postproc/draw/page/picture_warnings.h"
 #include "postproc/surface/face_roughness.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -72,6 +74,14 @@ std::pair<std::string, std::string> nameAndUnit(const std::string& column) {
   const std::size_t open = column.find(" [");
   if (open == std::string::npos || !column.ends_with(']')) return {column, ""};
   return {column.substr(0, open), column.substr(open + 2, column.size() - open - 3)};
+}
+
+/// What lengths of one unit are multiplied by to be of another one; nothing for a unit that is not known.
+std::optional<double> lengthFactor(const std::string& from, const std::string& to) {
+  if (from == to) return 1.0;
+  const auto known = lengthUnitOf(from), wanted = lengthUnitOf(to);
+  if (!known || !wanted) return std::nullopt;
+  return millimetresOf(*known) / millimetresOf(*wanted);
 }
 
 /// Throws `Error` that names the file for one that is no table of places, which increase, and heights.
@@ -152,9 +162,11 @@ RoughnessSource sourceOf(const std::filesystem::path& path, const RoughnessSpec&
           fmt::format("--within: {} was measured and has no undeformed body; expected runs", path.string()));
     const HistoryTable table = readHistory(path);
     RoughnessSource source{path, {}, measuredProfile(table), nameAndUnit(table.columns[0]).second};
-    if (nameAndUnit(table.columns[1]).second != source.unit)
-      throw Error(fmt::format("{}: found the columns {} and {}; expected one unit of both", path.string(),
-                              table.columns[0], table.columns[1]));
+    const auto factor = lengthFactor(nameAndUnit(table.columns[1]).second, source.unit);
+    if (!factor)
+      throw Error(fmt::format("{}: found the columns {} and {}; expected one unit of both, or two of {}",
+                              path.string(), table.columns[0], table.columns[1], kLengthLabels));
+    source.measured.row(1) *= *factor;
     return source;
   }
   if (spec.face.empty()) throw Error("--face: found no face; expected one, such as top");
@@ -162,6 +174,30 @@ RoughnessSource sourceOf(const std::filesystem::path& path, const RoughnessSpec&
   const std::string unit = result.model().lengthUnit;
   const std::filesystem::path file = result.file();
   return {file, std::move(result), {}, unit};
+}
+
+/// Brings measured profiles to the unit of the runs, or of the first profile. Throws `Error` for lengths that cannot be.
+void unifyUnits(std::vector<RoughnessSource>& sources) {
+  const auto isRun = [](const RoughnessSource& source) { return source.result.has_value(); };
+  const auto run = std::ranges::find_if(sources, isRun);
+  const RoughnessSource& leading = run == sources.end() ? sources.front() : *run;
+  const auto words = [](const std::string& unit) { return unit.empty() ? "without a unit" : "in " + unit; };
+  for (RoughnessSource& source : sources) {
+    const auto factor =
+        isRun(source) && source.unit != leading.unit ? std::nullopt : lengthFactor(source.unit, leading.unit);
+    if (!factor)
+      throw Error(fmt::format(
+          "{}: found lengths {}, and those of {} {}; expected one unit of all, or of a profile one of {}",
+          source.file.string(), words(source.unit), leading.file.string(), words(leading.unit),
+          kLengthLabels));
+    if (!isRun(source)) source.measured *= *factor;
+    source.unit = leading.unit;
+    if (run != sources.end() && !isRun(source) && leading.unit.empty())
+      noteWarning(fmt::format(
+          "{}: neither its lengths nor those of {} have a unit; they are taken for the same. Name them: x [mm] "
+          "in the table, units: {{length: mm}} in the scene",
+          source.file.string(), leading.file.string()));
+  }
 }
 
 std::vector<RoughnessRow> rowsOf(const RoughnessSource& source, const std::string& frames,
@@ -277,12 +313,10 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& path : arguments.results)
     files.push_back(sources.emplace_back(sourceOf(path, spec)).file);
+  unifyUnits(sources);
   const bool isArea = sources.front().isArea(spec);
   const std::string unit = sources.front().unit;
   for (const RoughnessSource& source : sources) {
-    if (source.unit != unit)
-      throw Error(fmt::format("{}: found another unit of length than that of {}; expected one unit",
-                              source.file.string(), files.front().string()));
     if (source.isArea(spec) != isArea)
       throw Error(fmt::format(
           "{}: found an area beside profiles; expected one of the two, or --line over the face in space",

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/quoted.h"
 
@@ -23,14 +24,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-std::vector<std::string> cellsOf(std::string_view line) {
-  std::vector<std::string> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.emplace_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
+std::vector<std::string> trimmedCells(std::string_view line) {
+  std::vector<std::string> cells = cellsOfRow(line);
+  for (std::string& cell : cells) cell = std::string(trimmed(cell));
+  return cells;
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ MeasuredTable::MeasuredTable(const std::filesystem::path& path) : path_(path) {
     if (number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of spreadsheets
     const std::string_view text = trimmed(line);
     if (text.empty() || text.front() == '#') continue;
-    std::vector<std::string> cells = cellsOf(text);
+    std::vector<std::string> cells = trimmedCells(text);
     if (columns_.empty()) {
       columns_ = std::move(cells);
       continue;

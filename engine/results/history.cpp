@@ -17,16 +17,26 @@
 namespace burnish {
 namespace {
 
-void checkColumns(const std::vector<std::string>& columns, const std::filesystem::path& path) {
-  if (columns.empty()) throw Error(fmt::format("{}: a history needs at least one column", path.string()));
+/// Of a table that is read: names in quotes may have commas.
+void checkNames(const std::vector<std::string>& columns, const std::filesystem::path& path) {
   for (auto name = columns.begin(); name != columns.end(); ++name) {
-    if (name->empty() || name->find_first_of(",\"\r\n") != std::string::npos)
-      throw Error(
-          fmt::format("{}: \"{}\" cannot be the name of a column; leave out commas, quotes and line breaks",
-                      path.string(), *name));
+    if (name->empty())
+      throw Error(fmt::format("{}: column {} has no name; expected one for each", path.string(),
+                              name - columns.begin() + 1));
     if (std::find(columns.begin(), name, *name) != name)
       throw Error(fmt::format("{}: the column \"{}\" stands twice", path.string(), *name));
   }
+}
+
+/// Of a table that is written.
+void checkColumns(const std::vector<std::string>& columns, const std::filesystem::path& path) {
+  if (columns.empty()) throw Error(fmt::format("{}: a history needs at least one column", path.string()));
+  for (const std::string& name : columns)
+    if (name.empty() || name.find_first_of(",\"\r\n") != std::string::npos)
+      throw Error(
+          fmt::format("{}: \"{}\" cannot be the name of a column; leave out commas, quotes and line breaks",
+                      path.string(), name));
+  checkNames(columns, path);
 }
 
 /// Throws if there is a file with other columns; what is missing is found out when it is opened.
@@ -144,10 +154,13 @@ HistoryTable readHistory(const std::filesystem::path& path) {
     if (isOpen && (isOfRun(path) || text.find_first_not_of(" \t\r") == std::string_view::npos)) break;
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (text.ends_with('\r')) text.remove_suffix(1);
-    const std::vector<std::string_view> cells = split(text);
+    const bool hasQuotes = text.find('"') != std::string_view::npos;
+    const std::vector<std::string> unquoted = hasQuotes ? cellsOfRow(text) : std::vector<std::string>();
+    const std::vector<std::string_view> cells =
+        hasQuotes ? std::vector<std::string_view>(unquoted.begin(), unquoted.end()) : split(text);
     if (line == 1) {
       table.columns.assign(cells.begin(), cells.end());
-      checkColumns(table.columns, path);
+      checkNames(table.columns, path);
       table.values.resize(table.columns.size());
       continue;
     }

@@ -56,7 +56,7 @@ struct HistoryTable {
 /// A column of a table, or null if it has none of that name.
 const std::vector<double>* findColumn(const HistoryTable& table, const std::string& name);
 
-/// Reads a history, also while it is being written: of the tables of a run (history.csv, convergence.csv) a last row without
+/// Reads a history, or a table of another program, whose cells may stand in quotes, also while it is being written: of the tables of a run (history.csv, convergence.csv) a last row without
 /// its line break is left out. Throws `Error` with file, line and column for anything that is not a number and for rows of
 /// another length.
 HistoryTable readHistory(const std::filesystem::path& path);

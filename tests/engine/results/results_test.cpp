@@ -797,6 +797,15 @@ TEST_F(Results, HistoryLeavesOutARowThatIsBeingWritten) {
   EXPECT_EQ(readHistory(dir / "windows.csv").column("b"), std::vector<double>{2.0});
 }
 
+TEST_F(Results, TablesOfOthersMayHaveQuotes) {
+  overwrite(dir / "table.csv", "\"a\",\"b, all\"\r\n1,2\r\n\"3\", \"4\"\r\n");
+  const HistoryTable table = readHistory(dir / "table.csv");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"a", "b, all"}));
+  EXPECT_EQ(table.column("b, all"), (std::vector<double>{2.0, 4.0}));
+  overwrite(dir / "table.csv", "a,\"\"\n");
+  expectError([&] { readHistory(dir / "table.csv"); }, "table.csv: column 2 has no name");
+}
+
 TEST_F(Results, BadHistoriesAreRefusedWithTheirPlace) {
   overwrite(dir / "h.csv", "a,b\n1,2\n3,four\n");
   expectError([&] { readHistory(dir / "h.csv"); }, "h.csv:3: \"four\" in the column b is not a number");
