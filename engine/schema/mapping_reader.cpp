@@ -18,11 +18,28 @@ const YamlNode* MappingReader::look(const char* key, const Rule& rule, const std
   known_.emplace_back(key);
   const YamlNode* node = node_.find(key);
   const bool isReplaced = !rule.unless.empty() && node_.find(rule.unless) != nullptr;
-  if (node == nullptr && rule.required && !isReplaced)
-    errors_.add(node_.place, pathOf(key),
-                fmt::format("missing; required: {}{}.", allowed,
-                            rule.unless.empty() ? "" : ", or the key " + rule.unless));
+  if (node == nullptr && rule.required && !isReplaced) {
+    const std::string required = allowed + (rule.unless.empty() ? "" : ", or the key " + rule.unless);
+    if (node_.children.empty())
+      missing_.push_back({key, required});
+    else
+      reportMissing(key, required);
+  }
   return node;
+}
+
+void MappingReader::reportMissing(const std::string& key, const std::string& required) {
+  errors_.add(node_.place, pathOf(key), fmt::format("missing; required: {}.", required));
+}
+
+void MappingReader::reportMissing() {
+  if (missing_.size() == 1 || path_.empty()) {
+    for (const auto& [key, required] : missing_) reportMissing(key, required);
+  } else if (!missing_.empty()) {
+    std::vector<std::string> keys;
+    for (const auto& [key, required] : missing_) keys.push_back(fmt::format("{} ({})", key, required));
+    errors_.add(node_.place, path_, fmt::format("found nothing in it; required: {}.", fmt::join(keys, ", ")));
+  }
 }
 
 void MappingReader::rejectUnknownKeys() {

@@ -29,6 +29,7 @@ class MappingReader {
   template <class T>
   void readInto(T& value, const std::vector<std::string>& leftToOthers = {}) {
     describe(*this, value);
+    reportMissing();
     known_.insert(known_.end(), leftToOthers.begin(), leftToOthers.end());
     if (keysAreKnown_) rejectUnknownKeys();
   }
@@ -107,12 +108,21 @@ class MappingReader {
   const YamlNode* look(const char* key, const Rule& rule, const std::string& allowed);
   void rejectUnknownKeys();
 
+  /// Of a mapping without any key what is missing is told together.
+  void reportMissing();
+  void reportMissing(const std::string& key, const std::string& required);
+
+  struct MissingKey {
+    std::string key, required;
+  };
+
   const YamlNode& node_;
   std::string path_;
   Diagnostics& errors_;
   std::vector<DimensionedList>& dimensioned_;
   std::vector<std::string> known_;
-  bool keysAreKnown_ = true;  ///< false when the key that chooses an alternative is unusable
+  std::vector<MissingKey> missing_;  ///< of an empty mapping
+  bool keysAreKnown_ = true;         ///< false when the key that chooses an alternative is unusable
 };
 
 }  // namespace burnish
