@@ -311,8 +311,9 @@ void describeLook(Visitor& v, PictureOptions& s) {
 /// The size, by the key that the door has for it.
 template <class Visitor>
 void describeSize(Visitor& v, PictureOptions& s, const char* key) {
-  v.field(key, s.size, {.atLeast = kSmallestPicture[1], .atMost = kLargestSide},
-          "Width and height in pixels.");
+  static_assert(kSmallestPicture == std::array{200, 150});
+  v.field(key, s.size, {.above = 0, .atMost = kLargestSide},
+          "Width and height in pixels, 200 x 150 or more.");
 }
 
 template <class Visitor>
