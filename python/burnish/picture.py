@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import glob
 import os
 import re
 import struct
@@ -69,13 +68,14 @@ class Animation:
 
 
 def render(result: str | os.PathLike[str] | Frame, *, field: str | None = None, frame: int | str | None = None,
-           file: str | os.PathLike[str] | None = None, **options: Any) -> Picture | Any:
+           file: str | os.PathLike[str] | None = None, output: str | os.PathLike[str] | None = None,
+           **options: Any) -> Picture | Any:
     """Draws a contour picture of a frame: the last one, that of `frame` (a number, "last", "time=0.5"), or a `Frame` itself.
 
     options: those of `burnish render` with underscores, such as size=(800, 600), colormap="batlow", isolines=10, mirror="x",
     tools=False. result may be a file of another program. With file the picture is written as well, also as .pdf or .svg; a name with
-    {frame} or {time} is that of several frames, as of frame="all", whose pictures are returned as a list. Throws `Error` with what
-    the command says.
+    {frame} or {time} is that of several frames, as of frame="all", whose pictures are returned as a list; output, as the command
+    calls it, is the same. Throws `Error` with what the command says.
 
     >>> import burnish
     >>> picture = burnish.render("out/press", field="von_mises", size=(400, 300), tools=False)
@@ -84,20 +84,23 @@ def render(result: str | os.PathLike[str] | Frame, *, field: str | None = None, 
     """
     of, options = _of_frame(result, {"frame": frame, "field": field, **options})
     words = ["render", of, *command.options_of(options), "-o"]
+    file = _one_of(file, output)
+    if file is not None and _PLACE.search(os.fspath(file)):
+        return _series(words, os.fspath(file))
     if file is not None:
-        printed = command.call([*words, os.fspath(file)]).decode("utf-8")
-        if _PLACE.search(os.fspath(file)):
-            return _series(words, os.fspath(file), printed)
+        command.call([*words, os.fspath(file)])
         if Path(file).suffix == ".png":
             return Picture(Path(file).read_bytes())
     return Picture(command.call([*words, "-"]))
 
 
 def animate(result: str | os.PathLike[str], file: str | os.PathLike[str] | None = None, *, field: str | None = None,
-            **options: Any) -> Animation:
+            output: str | os.PathLike[str] | None = None, **options: Any) -> Animation:
     """Draws all frames as an animation: .mp4 or .gif, which need ffmpeg, or .png; a temporary .png when file is left out.
 
-    options: those of `burnish animate` with underscores. Throws `Error` with what the command says."""
+    options: those of `burnish animate` with underscores; output, as the command calls it, is the same as file. Throws `Error` with
+    what the command says."""
+    file = _one_of(file, output)
     if file is None:
         handle, file = tempfile.mkstemp(prefix="burnish-", suffix=".png")
         os.close(handle)
@@ -105,20 +108,38 @@ def animate(result: str | os.PathLike[str], file: str | os.PathLike[str] | None 
     return Animation(file)
 
 
-def _series(words: list[str], file: str, printed: str) -> list[Picture]:
-    """The pictures that were drawn into files of this name, in the order of frames; those of pages for print are drawn once more.
-    printed: what the command said of them, which is nothing of a single one."""
-    if Path(file).suffix != ".png":
-        with tempfile.TemporaryDirectory(prefix="burnish-") as place:
-            command.call([*words, os.path.join(place, "{frame:09}.png")])
-            return [Picture(picture.read_bytes()) for picture in sorted(Path(place).iterdir())]
-    count = re.match(r"(\d+) pictures", printed)
-    name = re.compile("(.+?)".join(re.escape(part) for part in _PLACE.split(file)))
-    found = {other: place for other in glob.glob("*".join(glob.escape(part) for part in _PLACE.split(file)))
-             if (place := name.fullmatch(other))}
-    # There may be older ones of other frames.
-    drawn = sorted(found, key=lambda other: os.stat(other).st_mtime_ns)[-(int(count[1]) if count else 1):]
-    return [Picture(Path(picture).read_bytes()) for picture in sorted(drawn, key=lambda other: float(found[other][1]))]
+def _one_of(file: str | os.PathLike[str] | None, output: str | os.PathLike[str] | None) -> str | os.PathLike[str] | None:
+    """The file to be written, by either of its names."""
+    if file is not None and output is not None:
+        raise Error("output: found beside file, which is the same; give one of them")
+    return output if file is None else file
+
+
+def _series(words: list[str], file: str) -> list[Picture]:
+    """Pictures of several frames, in their order, each drawn into a folder of its own from where it is written to its place; pages
+    for print are drawn there by themselves."""
+    is_picture = Path(file).suffix == ".png"
+    if not is_picture:
+        command.call([*words, file])
+    with tempfile.TemporaryDirectory(prefix="burnish-") as scratch:
+        each = os.path.join(scratch, "{frame:09}")
+        try:
+            command.call([*words, each + (os.path.abspath(file) if is_picture else "/picture.png")])
+        except Error as error:
+            raise Error(str(error).replace(each, "")) from None
+        drawn = {path: Picture(path.read_bytes()) for path in sorted(Path(scratch).rglob("*.png"))}
+        places = [Path("/", *path.relative_to(scratch).parts[1:]) for path in drawn]
+    if is_picture:
+        if len(set(places)) < len(places):
+            raise Error(f'file: found "{file}", a name of several frames; expected one with the number of the frame, as in '
+                        "frame_{frame:04}.png")
+        for place, picture in zip(places, drawn.values()):
+            try:
+                place.parent.mkdir(parents=True, exist_ok=True)
+                picture.save(place)
+            except OSError as error:
+                raise Error(f"cannot write {place}: {error.strerror}") from None
+    return list(drawn.values())
 
 
 def _of_frame(result: str | os.PathLike[str] | Frame, options: dict[str, Any]) -> tuple[str, dict[str, Any]]:

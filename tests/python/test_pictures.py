@@ -1,6 +1,8 @@
 """Pictures, animations, comparisons and the plugin of pytest."""
 
+import os
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -44,6 +46,26 @@ def test_several_frames_are_a_list(press, tmp_path):
     assert one.png == (tmp_path / "b_000_at_0.00.png").read_bytes()
     pages = burnish.render(press, frame="all", file=tmp_path / "c_{frame}.pdf")
     assert len(pages) == last + 1 and (tmp_path / f"c_{last}.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_several_frames_are_found_beside_newer_pictures(press, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    burnish.render(press, frame=2, output="older/../a_{frame}.png", **SMALL)
+    os.utime("a_2.png", (2e9, 2e9))  # of another program's clock
+    first, second = burnish.render(press, frame="0-1", output="a_{frame}.png", **SMALL)
+    assert [first.png, second.png] == [Path(f"a_{k}.png").read_bytes() for k in range(2)]
+    with pytest.raises(burnish.Error, match='^file: found "same_{time:.0f}.png", a name of several frames'):
+        burnish.render(press, frame="0-1", file="same_{time:.0f}.png", **SMALL)
+
+
+def test_output_is_another_name_of_file(press, tmp_path):
+    picture = burnish.render(press, output=tmp_path / "picture.png", **SMALL)
+    assert (tmp_path / "picture.png").read_bytes() == picture.png
+    assert burnish.animate(press, output=tmp_path / "press.png", **SMALL).file == tmp_path / "press.png"
+    for draw in (burnish.render, burnish.animate):
+        with pytest.raises(burnish.Error, match="^output: found beside file"):
+            draw(press, file=tmp_path / "a.png", output=tmp_path / "b.png")
+    assert not (tmp_path / "a.png").exists()
 
 
 @pytest.mark.parametrize("filtered", ["none", "sub", "up", "avg", "paeth"])
