@@ -248,7 +248,7 @@ std::string rowOfSquares(const std::string& inCells, const std::string& atPoints
 
 TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
   const Color first{68, 1, 84}, last{253, 231, 37}, grey{238, 238, 238};
-  std::ofstream(dir_ / "row.vtu") << rowOfSquares("1 nan 3", "0 1 2 inf");
+  std::ofstream(dir_ / "row.vtu") << rowOfSquares("1 nan 3", "0 1 2 nan");
   const auto colorsIn = [&](const std::string& options) {
     const auto drawn = burnish("render row.vtu --title '' --size 500,300 -o a.png " + options);
     EXPECT_EQ(drawn.code, 0) << drawn.err;
@@ -285,7 +285,7 @@ TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
 }
 
 TEST_F(ForeignCommand, FieldsWithoutAnyValueAreRefusedAndGapsOfASeriesAreToldOnce) {
-  std::ofstream(dir_ / "none.vtu") << rowOfSquares("nan inf -inf", "0 1 2 3");
+  std::ofstream(dir_ / "none.vtu") << rowOfSquares("nan nan nan", "0 1 2 3");
   const auto refused = burnish("render none.vtu --field y -o a.png");
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.err, "burnish: field y of none.vtu has no finite value; it cannot be drawn\n");
