@@ -173,10 +173,12 @@ void DoubtWatch<Dim>::watchTools(const StateQuantities& current, const Eigen::Ve
   }
 }
 
-/// Contacts with less than a share of the largest force touch in passing, and are not judged.
+/// Contacts with less than a share of the largest force touch in passing, and are not judged; nor is any where it is told
+/// already that few control points carry a contact.
 template <int Dim>
 std::vector<DoubtRecord> DoubtWatch<Dim>::peakRecords() const {
   constexpr double kShare = 0.1;
+  if (doubts_[static_cast<std::size_t>(Condition::LostContact)].steps > 0) return {};
   double largest = 0.0;
   for (const PeakContact& peak : peaks_) largest = std::max(largest, peak.force());
   const auto& contacts = model_.contacts();

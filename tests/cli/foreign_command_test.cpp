@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -231,24 +234,46 @@ TEST_F(ForeignCommand, WhatCannotBeSeenIsToldInASentence) {
   }
 }
 
+/// The content of an array with `format="binary"`: the number of bytes and the bytes, in base 64. Texts know no numbers that are
+/// not finite.
+std::string binary(const std::string& numbers) {
+  std::vector<double> values;
+  std::istringstream words(numbers);
+  for (std::string word; words >> word;) values.push_back(std::stod(word));
+  const auto size = static_cast<std::uint32_t>(values.size() * sizeof(double));
+  std::string bytes(sizeof(size) + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof(size));
+  std::memcpy(bytes.data() + sizeof(size), values.data(), size);
+  static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    unsigned group = 0;
+    for (std::size_t b = 0; b < 3; ++b)
+      group = group << 8 | (k + b < bytes.size() ? static_cast<unsigned char>(bytes[k + b]) : 0u);
+    for (std::size_t d = 0; d < 4; ++d)
+      text += k + d > bytes.size() ? '=' : digits[group >> (18 - 6 * d) & 63u];
+  }
+  return text;
+}
+
 /// A row of three squares with these values in the squares, y, and at the points below and above, x.
 std::string rowOfSquares(const std::string& inCells, const std::string& atPoints) {
-  return R"(<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="3">
+  return R"(<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"><UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="3">
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
 0 0 0 1 0 0 2 0 0 3 0 0 0 1 0 1 1 0 2 1 0 3 1 0</DataArray></Points>
 <Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 5 4 1 2 6 5 2 3 7 6</DataArray>
 <DataArray type="Int64" Name="offsets" format="ascii">4 8 12</DataArray>
 <DataArray type="UInt8" Name="types" format="ascii">9 9 9</DataArray></Cells>
-<CellData><DataArray type="Float64" Name="y" format="ascii">)" +
-         inCells + R"(</DataArray></CellData>
-<PointData><DataArray type="Float64" Name="x" format="ascii">)" +
-         atPoints + ' ' + atPoints + R"(</DataArray></PointData>
+<CellData><DataArray type="Float64" Name="y" format="binary">)" +
+         binary(inCells) + R"(</DataArray></CellData>
+<PointData><DataArray type="Float64" Name="x" format="binary">)" +
+         binary(atPoints + ' ' + atPoints) + R"(</DataArray></PointData>
 </Piece></UnstructuredGrid></VTKFile>)";
 }
 
 TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
   const Color first{68, 1, 84}, last{253, 231, 37}, grey{238, 238, 238};
-  std::ofstream(dir_ / "row.vtu") << rowOfSquares("1 nan 3", "0 1 2 nan");
+  std::ofstream(dir_ / "row.vtu") << rowOfSquares("1 nan 3", "0 1 2 inf");
   const auto colorsIn = [&](const std::string& options) {
     const auto drawn = burnish("render row.vtu --title '' --size 500,300 -o a.png " + options);
     EXPECT_EQ(drawn.code, 0) << drawn.err;
@@ -285,7 +310,7 @@ TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
 }
 
 TEST_F(ForeignCommand, FieldsWithoutAnyValueAreRefusedAndGapsOfASeriesAreToldOnce) {
-  std::ofstream(dir_ / "none.vtu") << rowOfSquares("nan nan nan", "0 1 2 3");
+  std::ofstream(dir_ / "none.vtu") << rowOfSquares("nan inf -inf", "0 1 2 3");
   const auto refused = burnish("render none.vtu --field y -o a.png");
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.err, "burnish: field y of none.vtu has no finite value; it cannot be drawn\n");
