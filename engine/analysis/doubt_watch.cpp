@@ -122,8 +122,8 @@ void DoubtWatch<Dim>::watchContacts(const RunHistory<Dim>& history) {
   for (const auto& contact : model_.selfContacts())
     refinement = std::max(refinement, penetrationPerSpan(*contact.term) / spanShare);
   std::size_t peak = 0;
-  for (const auto& pair : model_.contacts()) peaks_[peak++].update(*pair.term, time);
-  for (const auto& pair : model_.pairs()) peaks_[peak++].update(*pair.term, time);
+  for (const auto& pair : model_.contacts()) peaks_[peak++].update(*pair.term, history.x(), time);
+  for (const auto& pair : model_.pairs()) peaks_[peak++].update(*pair.term, history.x(), time);
   note(Condition::Penetration, refinement > 1.0, time, refinement);
   note(Condition::LostContact, lost, time);
   note(Condition::InsideTheBody, inside > limitOf(Condition::InsideTheBody), time, inside);

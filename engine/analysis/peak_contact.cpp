@@ -2,12 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/results/doubts.h"
 
 namespace burnish {
 
+namespace {
+
+/// In the span where the gap is smallest: largest difference of gaps over the largest displacement of a control point.
 template <int Dim>
-void PeakContact::update(const FaceContact<Dim>& contact, double time) {
+double unresolvedShare(const FaceContact<Dim>& contact, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd& gap = contact.state().gap;
+  Eigen::Index nearest = 0;
+  const double smallest = gap.minCoeff(&nearest);
+  for (const auto& span : contact.face().spans()) {
+    const Eigen::Index points = span.weights.size();
+    if (nearest < span.firstPoint || nearest >= span.firstPoint + points) continue;
+    double way = 0.0;
+    for (const int function : span.functions)
+      way = std::max(way,
+                     x.segment<Dim>(Dim * contact.face().nodes()[static_cast<std::size_t>(function)]).norm());
+    const double apart = gap.segment(span.firstPoint, points).maxCoeff() - smallest;
+    return std::isfinite(apart) && apart > 0.0 ? apart / way : 0.0;  // infinite without a partner
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+template <int Dim>
+void PeakContact::update(const FaceContact<Dim>& contact, const Eigen::VectorXd& x, double time) {
   const auto& state = contact.state();
   if (state.active.empty()) return;
   const double force = state.reaction.norm();
@@ -16,10 +42,12 @@ void PeakContact::update(const FaceContact<Dim>& contact, double time) {
   time_ = time;
   active_ = state.numActive();
   all_ = active_ == std::ssize(state.active);
+  unresolved_ = unresolvedShare(contact, x);
 }
 
 bool PeakContact::isCoarse() const {
-  return active_ > 0 && !all_ && active_ < limitOf(Condition::LostContact);
+  constexpr double kResolved = 0.5;
+  return active_ > 0 && !all_ && active_ < limitOf(Condition::LostContact) && unresolved_ > kResolved;
 }
 
 std::string PeakContact::pointsText() const {
@@ -27,10 +55,10 @@ std::string PeakContact::pointsText() const {
 }
 
 void PeakContact::archive(StateArchive& archive) {
-  archive.together("peak", force_, time_, active_, all_);
+  archive.together("peak", force_, time_, unresolved_, active_, all_);
 }
 
-template void PeakContact::update(const FaceContact<2>&, double);
-template void PeakContact::update(const FaceContact<3>&, double);
+template void PeakContact::update(const FaceContact<2>&, const Eigen::VectorXd&, double);
+template void PeakContact::update(const FaceContact<3>&, const Eigen::VectorXd&, double);
 
 }  // namespace burnish

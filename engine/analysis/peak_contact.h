@@ -6,14 +6,14 @@
 
 namespace burnish {
 
-/// Watches, state by state, how many control points carry a contact when its force is largest: a tool that comes down
-/// is carried by one of them at first, on any mesh.
+/// Watches, state by state, whether the mesh resolves a contact when its force is largest: a tool that comes down is
+/// carried by one control point at first, on any mesh.
 class PeakContact {
  public:
-  /// Takes in the last evaluated state of a contact. Point-wise penalties, which know no active functions, are
-  /// not watched.
+  /// Takes in the last evaluated state of a contact, at the unknowns x. Point-wise penalties, which know no active
+  /// functions, are not watched.
   template <int Dim>
-  void update(const FaceContact<Dim>& contact, double time);
+  void update(const FaceContact<Dim>& contact, const Eigen::VectorXd& x, double time);
 
   /// The largest force, per thickness in the plane.
   double force() const { return force_; }
@@ -21,7 +21,9 @@ class PeakContact {
   /// When it was.
   double time() const { return time_; }
 
-  /// Whether fewer control points than `limitOf(Condition::LostContact)`, and not all of the face, carried it.
+  /// Whether fewer control points than `limitOf(Condition::LostContact)`, and not all of the face, carried it, where the
+  /// gap in the span that they are in differed by more than half of the way that the face had gone: how deep the contact
+  /// is, is not known better. Where a sheet is bent over an edge that is little.
   bool isCoarse() const;
 
   /// "1 control point"
@@ -31,8 +33,9 @@ class PeakContact {
 
  private:
   double force_ = 0.0, time_ = 0.0;
-  int active_ = 0;    ///< control points that carried it
-  bool all_ = false;  ///< these are all of the face
+  double unresolved_ = 0.0;  ///< differences of the gap in a span over the way of the face
+  int active_ = 0;           ///< control points that carried it
+  bool all_ = false;         ///< these are all of the face
 };
 
 }  // namespace burnish

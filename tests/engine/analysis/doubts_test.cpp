@@ -71,6 +71,11 @@ TEST(PeakContact, AForceOnOneOrTwoControlPointsIsDoubted) {
   const auto fine = pressed(121, -0.002);
   EXPECT_FALSE(hasDoubt(fine.summary, carried));
   EXPECT_LT(coarse.history.column("disc.fy").back(), 0.6 * fine.history.column("disc.fy").back());
+  // With half a span of contact the force is 2 % off.
+  const auto resolved = pressed(13, -0.03);
+  EXPECT_FALSE(hasDoubt(resolved.summary, carried));
+  EXPECT_NEAR(resolved.history.column("disc.fy").back(), pressed(121, -0.03).history.column("disc.fy").back(),
+              4e-4);
   // The first states of a contact that grows are carried by few on any mesh.
   EXPECT_FALSE(hasDoubt(pressed(21, -0.4).summary, carried));
 }
