@@ -157,7 +157,7 @@ TEST_F(FiguresCommand, WhatResultsWillNotHaveIsToldBeforeAnythingIsComputed) {
                           "  - {name: map, kind: sheet, runs: [stiff], times: [0.7], field: plastic_strain}\n"
                           "  - {name: wrong, kind: history, runs: [stiff], y: strain_enery}\n");
   const std::string told =
-      "study.yaml:8:61: figures[2].times[0]: found 0.7, but the run stiff has no frame at that time, the nearest ones "
+      "study.yaml:8:53: figures[2].times[0]: found 0.7, but the run stiff has no frame at that time, the nearest ones "
       "are at 0 and 1;";
   for (const std::string command :
        {"figures study.yaml -o out", "validate study.yaml", "figures study.yaml --workflow snakemake"}) {
@@ -165,11 +165,11 @@ TEST_F(FiguresCommand, WhatResultsWillNotHaveIsToldBeforeAnythingIsComputed) {
     EXPECT_EQ(outcome.code, 2) << command;
     EXPECT_THAT(outcome.err, HasSubstr(told)) << command;
     EXPECT_THAT(outcome.err,
-                HasSubstr("study.yaml:8:74: figures[2].field: run stiff: found plastic_strain, but the "
+                HasSubstr("study.yaml:8:66: figures[2].field: run stiff: found plastic_strain, but the "
                           "material is elastic;"))
         << command;
     EXPECT_THAT(outcome.err,
-                HasSubstr("study.yaml:9:51: figures[3].y: run stiff: formula \"strain_enery\", character 1: "
+                HasSubstr("study.yaml:9:52: figures[3].y: run stiff: formula \"strain_enery\", character 1: "
                           "there is no column \"strain_enery\". Did you mean \"strain_energy\"?"))
         << command;
   }

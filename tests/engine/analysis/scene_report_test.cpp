@@ -56,8 +56,8 @@ TEST(SceneReport, SaysWhatIsComputed) {
 }
 
 TEST(SceneReport, HasTheColumnsOfTheHistory) {
-  const Scene scene =
-      parseScene(replaced(kPress, "steps:", "measures: [{name: top, face: top}]\nsteps:"), "test.yaml");
+  const Scene scene = parseScene(
+      replaced(kPress, "steps:", "measures: [{name: top, kind: face, face: top}]\nsteps:"), "test.yaml");
   const std::vector<std::string> columns = reportOf(scene).columns;
   EXPECT_THAT(columns, IsSupersetOf({"time", "disc.fy", "strain_energy", "top.fx"}));
   EXPECT_EQ(historyColumnsOf(scene), columns);
@@ -277,7 +277,7 @@ TEST(SceneReport, ADiscAwayFromTheAxisIsARing) {
                                     "shape: cylinder, center: [1, 1.5], radius: 0.5",
                                     "shape: plane, origin: [0, 1], normal: [0, -1]");
   const SceneReport report = reportOf(parseScene(ring, "test.yaml", {"kinematics=axisymmetric"}));
-  EXPECT_EQ(report.summary, "2 dimensions, axisymmetric, NURBS of degree 2, 78 unknowns, tool disc");
+  EXPECT_EQ(report.summary, "2 dimensions, axisymmetric, NURBS of degree 2, 66 unknowns, tool disc");
   EXPECT_THAT(report.warnings, ElementsAre());
   EXPECT_THAT(errorOf(ring, {"kinematics=axisymmetric", "geometry.center=[0.9, 0]"}),
               HasSubstr("crosses the axis of revolution"));

@@ -295,11 +295,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{
             "column", "y: strain_energy, looks", "y: strain_enery, looks",
-            "study.yaml:12:65: figures[0].y: run block-nurbs-2: formula \"strain_enery\", character 1: there is no "
+            "study.yaml:12:63: figures[0].y: run block-nurbs-2: formula \"strain_enery\", character 1: there is no "
             "column \"strain_enery\". Did you mean \"strain_energy\"? The columns are time, strain_energy, disc.fy"},
         Mistake{
             "columnOfX", "y: strain_energy, looks", "y: 2*disc.fy, x: tme, looks",
-            "study.yaml:12:78: figures[0].x: run block-nurbs-2: formula \"tme\", character 1: there is no column"},
+            "study.yaml:12:77: figures[0].x: run block-nurbs-2: formula \"tme\", character 1: there is no column"},
         Mistake{
             "columnOfMeasure", "y: strain_energy, reduce: max",
             "y: strain_energy, where: step > 1, reduce: max",
@@ -307,11 +307,11 @@ INSTANTIATE_TEST_SUITE_P(
             "1: there is no column \"step\""},
         Mistake{
             "time", "times: [0, 1]", "times: [0, 0.75]",
-            "study.yaml:13:61: figures[1].times[1]: found 0.75, but the run soft has no frame at that time, the "
+            "study.yaml:13:55: figures[1].times[1]: found 0.75, but the run soft has no frame at that time, the "
             "nearest ones are at 0.5 and 1; allowed: a time of a frame, or output: {times: [0.75]} in the scene"},
         Mistake{
             "timeBehindTheEnd", "times: [0, 1]", "times: [0, 2]",
-            "study.yaml:13:61: figures[1].times[1]: found 2, but the run soft ends at t = 1; allowed: a time up to "
+            "study.yaml:13:55: figures[1].times[1]: found 2, but the run soft ends at t = 1; allowed: a time up to "
             "then."},
         Mistake{
             "fieldOfAnotherLaw", "field: von_mises", "field: plastic_strain",
@@ -325,13 +325,14 @@ INSTANTIATE_TEST_SUITE_P(
             "study.yaml:13:93: figures[1].field: run soft: found stress.yz, a component of three-dimensional scenes;"},
         Mistake{
             "body", "field: von_mises", "field: von_mises, body: [block]",
-            "study.yaml:13:118: figures[1].body[0]: found block, but the one body of the run soft has no name; "
+            "study.yaml:13:111: figures[1].body[0]: found block, but the one body of the run soft has no name; "
             "leave the key out."},
         Mistake{"cutInThePlane", "field: von_mises", "field: von_mises, cut: x=1",
-                "study.yaml:13:111: figures[1].cut: "},
-        Mistake{"line", "kind: history, y: strain_energy, reduce: max",
-                "kind: line, field: back_stress.xx, time: 0.7",
-                "study.yaml:20:62: statements[0].measures[0].field: found"}),
+                "study.yaml:13:109: figures[1].cut: "},
+        Mistake{
+            "line", "kind: history, y: strain_energy, reduce: max",
+            "kind: line, field: plastic_strain, time: 0.5",
+            "study.yaml:20:54: statements[0].measures[0].field: run block-nurbs-2: found plastic_strain, but"}),
     nameOf);
 
 TEST_F(OutlookMistake, NothingIsWrongWithWhatIsThere) {
