@@ -27,6 +27,7 @@
 #include "postproc/draw/contour/contour.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/picture_warnings.h"
+#include "postproc/draw/page/print_file.h"
 #include "postproc/surface/face_roughness.h"
 #include "postproc/text/json_text.h"
 #include "postproc/text/text_file.h"
@@ -294,6 +295,7 @@ void drawMap(const RoughnessArguments& arguments, const ResultReader& result, co
   const ModelFrame map = heightMap(result.model(), result.frame(row.frame), row.area);
   ContourOptions options;
   asked.look.readInto(static_cast<PageLook&>(options));
+  if (isPrintFile(arguments.outputs.picture)) options.size = kPrintSize;
   if (!asked.size.empty()) options.size = sizeFromText(asked.size);
   if (!asked.title.empty()) options.title = asked.title;
   options.field = kHeightField;

@@ -46,7 +46,7 @@ TEST_F(ForeignCommand, InfoTellsCellsAndFields) {
   EXPECT_EQ(info.code, 0);
   EXPECT_THAT(info.out,
               AllOf(HasSubstr("49 points, 54 cells (18 quad, 36 triangle)"),
-                    HasSubstr("temperature of points: 1 to 2.41954"), HasSubstr("region of cells: 0 to 1")));
+                    HasSubstr("temperature of points: 1 to 2.41953752"), HasSubstr("region of cells: 0 to 1")));
 }
 
 /// The sheet is of region 0 at the left and of region 1 at the right.
@@ -296,11 +296,11 @@ TEST_F(ForeignCommand, PlacesWithoutAValueAreGreyAndToldOf) {
             "warning: field y of row.vtu has no finite value at 1 of 3 cells; where it has none it is "
             "drawn without colours\n");
   const auto [ofPoints, pointsSaid] = colorsIn("--field x --bands 2 --isolines 3 --mark-extremes");
-  EXPECT_NEAR(ofPoints[2], ofCells[2], 0.05 * ofCells[2]);
+  EXPECT_NEAR(ofPoints[2], ofCells[2], 0.1 * ofCells[2]) << "less marks and lines";
   EXPECT_NEAR(ofPoints[0], ofPoints[1], 0.2 * ofPoints[0]) << "the range is 0 to 2";
   EXPECT_THAT(pointsSaid, HasSubstr("at 2 of 8 points;"));
   const auto [ofThreshold, thresholdSaid] = colorsIn("--field x --bands 2 --threshold 1,");
-  EXPECT_NEAR(ofThreshold[1], ofPoints[1], 0.05 * ofPoints[1]);
+  EXPECT_NEAR(ofThreshold[1], ofPoints[1], 0.1 * ofPoints[1]) << "without marks and lines";
   EXPECT_LT(ofThreshold[0], 0.2 * ofPoints[0]) << "in the colour scale alone";
 
   ASSERT_EQ(burnish("render row.vtu --field y -o a.svg").code, 0);

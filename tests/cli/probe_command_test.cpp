@@ -239,7 +239,7 @@ TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
   expectRefused("nothing --line 1,0:2,0", "nothing: there is no such file or directory");
   EXPECT_EQ(probe("run --line 1,0:2,0").code, 2);
   EXPECT_EQ(probe("run --line 1,0:2,0 -o a.gif").code, 2);
-  EXPECT_THAT(probe("run --line 1,0:2,0 -o run/result.h5").err, HasSubstr("is also read"));
+  EXPECT_THAT(probe("run --line 1,0:2,0 -o run/result.h5").err, HasSubstr("expected the name of a chart"));
 }
 
 }  // namespace

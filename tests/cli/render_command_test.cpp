@@ -143,7 +143,7 @@ TEST_F(RenderCommand, ComponentsAreChosenByName) {
                 "Did you mean \"magnitude\"?");
   expectRefused("render run --field plastic_strain --component xx -o a.png",
                 "--component: found \"xx\"; plastic_strain is one number");
-  expectRefused("render run --field displacment --component x -o a.png", "Did you mean \"displacement.x\"?");
+  expectRefused("render run --field displacment --component x -o a.png", "Did you mean \"displacement\"?");
 }
 
 TEST_F(RenderCommand, ScaleMagnifiesAllThatIsDrawn) {
