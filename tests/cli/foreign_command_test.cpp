@@ -44,9 +44,9 @@ class ForeignCommand : public testing::Test {
 TEST_F(ForeignCommand, InfoTellsCellsAndFields) {
   const auto info = burnish("info " + sample("meshio.vtu"));
   EXPECT_EQ(info.code, 0);
-  EXPECT_THAT(info.out,
-              AllOf(HasSubstr("49 points, 54 cells (18 quad, 36 triangle)"),
-                    HasSubstr("temperature of points: 1 to 2.41953752"), HasSubstr("region of cells: 0 to 1")));
+  EXPECT_THAT(info.out, AllOf(HasSubstr("49 points, 54 cells (18 quad, 36 triangle)"),
+                              HasSubstr("temperature of points: 1 to 2.41953752"),
+                              HasSubstr("region of cells: 0 to 1")));
 }
 
 /// The sheet is of region 0 at the left and of region 1 at the right.
