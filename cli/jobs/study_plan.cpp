@@ -71,11 +71,12 @@ bool hasEnded(const fs::path& run) {
   }
 }
 
-/// What the results of a run have that has ended.
-RunOutlook outlookBehind(const Scene& scene, const fs::path& run) {
+/// What the results of a run of the scene have. columns: tells those of its history.
+template <class Columns>
+RunOutlook outlookWith(const Scene& scene, const Columns& columns) {
   RunOutlook outlook = outlookOf(scene);
   leaveToTheRun([&] { outlook.frameTimes = frameTimes(scene); });
-  leaveToTheRun([&] { outlook.columns = readHistory(run / "history.csv").columns; });
+  leaveToTheRun([&] { outlook.columns = columns(); });
   return outlook;
 }
 
@@ -157,7 +158,8 @@ class Planner {
                          .outlook = {},
                          .job = {}};
       if (isOf(planned.directory, scene) && hasEnded(planned.directory)) {
-        planned.outlook = outlookBehind(scene, planned.directory);
+        planned.outlook =
+            outlookWith(scene, [&] { return readHistory(planned.directory / "history.csv").columns; });
       } else {
         planned.outlook = outlookBefore(scene);
         planned.job = 0;  // the place follows
@@ -269,10 +271,7 @@ double expectedCost(const Scene& scene) {
 }
 
 RunOutlook outlookBefore(const Scene& scene) {
-  RunOutlook outlook = outlookOf(scene);
-  leaveToTheRun([&] { outlook.frameTimes = frameTimes(scene); });
-  leaveToTheRun([&] { outlook.columns = historyColumnsOf(scene); });
-  return outlook;
+  return outlookWith(scene, [&] { return historyColumnsOf(scene); });
 }
 
 StudyPlan planStudy(const Study& study, const fs::path& directory, const std::vector<std::string>& only,
