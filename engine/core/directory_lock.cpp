@@ -14,6 +14,16 @@
 namespace burnish {
 namespace {
 
+/// The directory and those above it that do not exist, the innermost first.
+std::vector<std::filesystem::path> missing(std::filesystem::path directory) {
+  std::vector<std::filesystem::path> paths;
+  std::error_code status;
+  for (; !directory.empty() && !std::filesystem::exists(directory, status) && !status;
+       directory = directory.parent_path())
+    paths.push_back(directory);
+  return paths;
+}
+
 int opened(const std::filesystem::path& directory, DirectoryLock::Children children) {
   std::error_code status;
   std::filesystem::create_directories(directory, status);
@@ -32,7 +42,7 @@ int opened(const std::filesystem::path& directory, DirectoryLock::Children child
 
 DirectoryLock::DirectoryLock(const std::filesystem::path& directory, Children children,
                              const std::string& taken)
-    : descriptor_(opened(directory, children)) {
+    : made_(missing(directory)), descriptor_(opened(directory, children)) {
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   protects_ = false;
   if (errno != EWOULDBLOCK) return;  // a file system without locks
@@ -41,9 +51,13 @@ DirectoryLock::DirectoryLock(const std::filesystem::path& directory, Children ch
 }
 
 DirectoryLock::DirectoryLock(DirectoryLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), protects_(other.protects_) {}
+    : made_(std::exchange(other.made_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      protects_(other.protects_) {}
 
 DirectoryLock::~DirectoryLock() {
+  for (const std::filesystem::path& directory : made_)
+    if (::rmdir(directory.c_str()) != 0) break;
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace burnish {
 
@@ -13,8 +14,8 @@ class DirectoryLock {
     Keep    ///< processes that this one starts keep the lock as long as they live
   };
 
-  /// Makes the directory if need be. Throws `Error` if that is impossible, and with the message `taken` if
-  /// another process has the lock.
+  /// Makes the directory if need be; one that was made and has nothing in it goes with the lock. Throws `Error`
+  /// if it cannot be made, and with the message `taken` if another process has the lock.
   DirectoryLock(const std::filesystem::path& directory, Children children, const std::string& taken);
   DirectoryLock(DirectoryLock&& other) noexcept;
   DirectoryLock& operator=(DirectoryLock&&) = delete;
@@ -24,6 +25,7 @@ class DirectoryLock {
   bool protects() const { return protects_; }
 
  private:
+  std::vector<std::filesystem::path> made_;  ///< the innermost first
   int descriptor_;
   bool protects_ = true;
 };

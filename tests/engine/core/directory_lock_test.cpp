@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <utility>
 
 #include "engine/core/error.h"
 #include "tests/engine/analysis/run_scene.h"
@@ -42,6 +43,26 @@ TEST(DirectoryLock, IsHadByOneAtATimeAndGivenBack) {
     }
   }
   EXPECT_TRUE(DirectoryLock(directory.path() / "made", Children::Keep, "taken").protects());
+}
+
+TEST(DirectoryLock, WhatItMadeGoesWithItUnlessSomethingIsThere) {
+  const test::ScratchDirectory directory("lock");
+  const auto made = directory.path() / "out" / "study";
+  { const DirectoryLock lock(made, Children::LetGo, "taken"); }
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
+  std::filesystem::create_directory(directory.path() / "out");
+  {
+    DirectoryLock lock(made, Children::LetGo, "taken");
+    const DirectoryLock moved = std::move(lock);
+    EXPECT_TRUE(std::filesystem::exists(made));
+  }
+  EXPECT_FALSE(std::filesystem::exists(made));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "out"));
+  {
+    const DirectoryLock lock(made, Children::LetGo, "taken");
+    std::ofstream(made / "runs.csv") << "name";
+  }
+  EXPECT_TRUE(std::filesystem::exists(made / "runs.csv"));
 }
 
 TEST(DirectoryLock, FileSystemsWithoutLocksAreNotTakenForAnotherProcess) {
