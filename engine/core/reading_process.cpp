@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMostSeconds = 60;
 constexpr std::uint64_t kMostGigabytes = 4;
 
-constexpr std::int64_t kAnswer = 1, kMistake = 2;
+constexpr std::int64_t kAnswer = 1, kMistake = 2, kEnd = 3;
 
 /// Sanitizers reserve more addresses than any limit.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -77,8 +77,9 @@ void writeAll(int pipe, const void* bytes, std::size_t count) {
   }
 }
 
+/// What else is thrown ends the process: it must not come to what the program was doing when it began.
 [[noreturn]] void serve(const std::string& file, const ReadingProcess::Answer& answer, int questions,
-                        int answers) {
+                        int answers) noexcept {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGHUP, SIGCHLD, SIGPIPE})
     std::signal(signal, SIG_DFL);
@@ -88,24 +89,27 @@ void writeAll(int pipe, const void* bytes, std::size_t count) {
   ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // files are only read, perhaps while they are written
   setLimits();
   const TakeBytes take = [answers](const void* bytes, std::size_t count) { writeAll(answers, bytes, count); };
-  const auto refuse = [&](const std::string& why) {
-    send(kMistake, take);
+  const auto refuse = [&take](std::int64_t kind, const std::string& why) {
+    send(kind, take);
     send(why, take);
-    ::_exit(0);
   };
   for (;;) {
     std::int64_t question = 0;
     readAll(questions, &question, sizeof(question));
+    ReadingProcess::Send made;
     try {
-      const ReadingProcess::Send made = answer(question);
-      send(kAnswer, take);
-      made(take);
+      made = answer(question);
     } catch (const std::bad_alloc&) {
-      refuse(fmt::format("{}: the file is damaged, or large: its reader needs more than {} GB of memory",
+      refuse(kEnd,
+             fmt::format("{}: the file is damaged, or large: its reader needs more than {} GB of memory",
                          file, kMostGigabytes));
+      ::_exit(0);
     } catch (const Error& error) {
-      refuse(error.what());
+      refuse(kMistake, error.what());
+      continue;
     }
+    send(kAnswer, take);
+    made(take);
   }
 }
 
@@ -143,10 +147,13 @@ ReadingProcess::~ReadingProcess() {
 }
 
 void ReadingProcess::ask(std::int64_t question, const std::function<void(const FillBytes&)>& receive) {
+  if (!end_.empty()) throw Error(end_);
   deadline_ = Clock::now() + std::chrono::seconds(kMostSeconds);
-  const bool isAsked = ::write(questions_, &question, sizeof(question)) == sizeof(question);
+  if (::write(questions_, &question, sizeof(question)) != sizeof(question)) throw cannotStart(file_);
   const FillBytes fill = [this](void* bytes, std::size_t count) { fillWith(bytes, count); };
-  if (!isAsked || receiveNumber(fill) != kAnswer) throw Error(receiveText(fill));
+  const std::int64_t kind = receiveNumber(fill);
+  if (kind == kEnd) endWith(receiveText(fill));
+  if (kind != kAnswer) throw Error(receiveText(fill));
   receive(fill);
 }
 
@@ -159,20 +166,25 @@ void ReadingProcess::fillWith(void* bytes, std::size_t count) {
     if (ready < 0 && errno == EINTR) continue;
     if (ready == 0) {
       stop();
-      throw Error(fmt::format("{}: the file is damaged, or large: its reader came to no end in {} seconds",
-                              file_.string(), kMostSeconds));
+      endWith(fmt::format("{}: the file is damaged, or large: its reader came to no end in {} seconds",
+                          file_.string(), kMostSeconds));
     }
     const ::ssize_t done = ::read(answers_, at, count);
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) {
       const int end = waitForEnd();
-      throw Error(fmt::format(
+      endWith(fmt::format(
           "{} is damaged: its reader stopped {}", file_.string(),
           WIFSIGNALED(end) ? fmt::format("with signal {}", WTERMSIG(end)) : "without having read it"));
     }
     at += done;
     count -= static_cast<std::size_t>(done);
   }
+}
+
+void ReadingProcess::endWith(std::string why) {
+  end_ = std::move(why);
+  throw Error(end_);
 }
 
 void ReadingProcess::stop() {

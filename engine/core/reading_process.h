@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "engine/core/byte_stream.h"
 
@@ -14,8 +15,8 @@ namespace burnish {
 /// no end or take all memory.
 class ReadingProcess {
  public:
-  /// What is done there for a question: it is worked out, and how it is sent is returned. `Error`s and `std::bad_alloc` that are thrown
-  /// reach the one who asked, and end the process.
+  /// What is done there for a question: it is worked out, and how it is sent is returned. `Error`s that are thrown reach the one who asked; so
+  /// does `std::bad_alloc`, which ends the process.
   using Send = std::function<void(const TakeBytes&)>;
   using Answer = std::function<Send(std::int64_t question)>;
 
@@ -27,11 +28,13 @@ class ReadingProcess {
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// Asks, and has the answer received. Throws `Error`, also if the process has ended or takes too long, and `Interrupted`.
+  /// Asks, and has the answer received. Throws `Error`, also if the process ends or takes too long, from then on always the same, and
+  /// `Interrupted`.
   void ask(std::int64_t question, const std::function<void(const FillBytes&)>& receive);
 
  private:
   void fillWith(void* bytes, std::size_t count);
+  [[noreturn]] void endWith(std::string why);
   void stop();
   int waitForEnd();
 
@@ -39,6 +42,7 @@ class ReadingProcess {
   ::pid_t process_ = -1;
   int questions_ = -1, answers_ = -1;
   std::chrono::steady_clock::time_point deadline_;
+  std::string end_;  ///< why there is no process any more
 };
 
 }  // namespace burnish
