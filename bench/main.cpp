@@ -3,7 +3,7 @@
 #include "engine/core/blas.h"
 
 int main(int argc, char** argv) {
-  burnish::useFastestBlasKernels(argv);
+  burnish::useFastestBlasKernels();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -22,12 +21,8 @@ std::string programForProcessor() {
 }
 
 void startFastest(char** argv) {
-  if (const std::string program = programForProcessor(); !program.empty()) {
-    if (const std::string kernels(blasKernelsToAskFor()); !kernels.empty())
-      ::setenv("OPENBLAS_CORETYPE", kernels.c_str(), 0);
-    ::execv(program.c_str(), argv);
-  }
-  useFastestBlasKernels(argv);
+  if (const std::string program = programForProcessor(); !program.empty()) ::execv(program.c_str(), argv);
+  useFastestBlasKernels();
 }
 
 }  // namespace burnish

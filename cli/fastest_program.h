@@ -7,8 +7,8 @@ namespace burnish {
 /// must run on every processor, hold both. Empty otherwise.
 std::string programForProcessor();
 
-/// To be called first in main() by what computes: starts the program again where it would compute faster, as
-/// `programForProcessor()` or with other kernels of BLAS. Comes back if there is no need to, or if that fails.
+/// To be called first in main() by what computes: starts the program again as `programForProcessor()`, or has BLAS take the kernels
+/// of this processor. Does not come back from the former, unless it fails.
 void startFastest(char** argv);
 
 }  // namespace burnish

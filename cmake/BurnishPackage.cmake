@@ -41,7 +41,7 @@ endfunction()
 
 burnish_package(program burnish science "isogeometric elastoplastic contact, with headless pictures"
   "Computes bodies made of NURBS that are pressed, dragged and ploughed by rigid\ntools and by one another, at large strains, with plastic flow, friction and\nmeshes that follow. Draws contour pictures, charts, videos and pages without a\ndisplay, and writes series for ParaView."
-  PACKAGE_DEPENDS "fonts-dejavu-core, libembree3-3, libosmesa6 | libegl1"
+  PACKAGE_DEPENDS "fonts-dejavu-core, libembree3-3, libosmesa6"
   PACKAGE_RECOMMENDS "burnish-multigrid"
   PACKAGE_SUGGESTS "burnish-cad, burnish-doc, ffmpeg, python3-burnish")
 burnish_package(multigrid burnish-multigrid science "isogeometric elastoplastic contact - large bodies in space"

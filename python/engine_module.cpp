@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,6 +100,8 @@ std::string run(const SceneInput& input, const std::filesystem::path& directory,
   std::string stopped;
   {
     const py::gil_scoped_release unlocked;
+    static std::mutex oneAtATime;  // for HDF5, and for the threads of BLAS
+    const std::scoped_lock locked(oneAtATime);
     const BlasThreads threadsOfBlas;
     Scene scene = parseScene(input.yaml, input.name, input.overrides);
     scene.resolvedYaml = input.resolvedYaml;
@@ -117,6 +120,7 @@ std::string run(const SceneInput& input, const std::filesystem::path& directory,
 
 PYBIND11_MODULE(_engine, module) {
   using namespace burnish;
+  useFastestBlasKernels();
   module.doc() = "The engine of burnish in this process.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
@@ -126,9 +130,6 @@ PYBIND11_MODULE(_engine, module) {
     }
   });
   module.def("program", &programName, "What computes: version and digest of the engine.");
-  module.def(
-      "kernels_to_ask_for", [] { return std::string(blasKernelsToAskFor()); },
-      "Kernels that OpenBLAS should have been asked for before it was loaded, or an empty text.");
   module.def(
       "run",
       [](std::string yaml, std::string name, std::vector<std::string> overrides, std::string resolved,

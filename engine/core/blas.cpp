@@ -3,23 +3,22 @@
 #include <cblas.h>
 #include <fmt/format.h>
 #include <omp.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "engine/core/memory_limit.h"
 
-/// Buffers for one thread each, which OpenBLAS keeps when they are given back.
 extern "C" {
+// Buffers for one thread each, which OpenBLAS keeps when they are given back.
 void* blas_memory_alloc(int);
 void blas_memory_free(void*);
+// What it does when it is unloaded and loaded: forgets its kernels, and chooses them.
+void gotoblas_dynamic_quit();
+void gotoblas_dynamic_init();
 }
 
 namespace burnish {
@@ -46,20 +45,12 @@ const char* kernelsToAskFor() {
 
 }  // namespace
 
-void useFastestBlasKernels(char** argv) {
+void useFastestBlasKernels() {
   const char* kernels = kernelsToAskFor();
   if (kernels == nullptr) return;
   ::setenv(kKernelsChoice, kernels, 0);
-  ::setenv("OPENBLAS_NUM_THREADS", "1", 1);  // as pinLibrariesToOneThread() would have it a moment later
-  std::error_code unknown;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown)
-    ::execv(program.c_str(), argv);  // comes back only if it fails, and then all goes on as it was
-}
-
-std::string_view blasKernelsToAskFor() {
-  const char* kernels = kernelsToAskFor();
-  return kernels != nullptr ? kernels : std::string_view();
+  gotoblas_dynamic_quit();
+  gotoblas_dynamic_init();
 }
 
 std::string blasName() {

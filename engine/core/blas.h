@@ -1,19 +1,13 @@
 #pragma once
 #include <Eigen/Dense>
 #include <string>
-#include <string_view>
 
 namespace burnish {
 
 /// To be called first in main(). OpenBLAS chooses its kernels by the model of the processor when it is loaded
-/// and takes the slowest ones for a model that is newer than itself, four times slower than need be. Then the
-/// program is started again with the kernels that the processor's instruction sets allow, unless
-/// OPENBLAS_CORETYPE is set.
-void useFastestBlasKernels(char** argv);
-
-/// Kernels that OpenBLAS should be asked for by OPENBLAS_CORETYPE before it is loaded; empty where those that it has chosen, or the
-/// user, are right.
-std::string_view blasKernelsToAskFor();
+/// and takes the slowest ones for a model that is newer than itself, four times slower than need be. Then it is made to choose
+/// again, by what the processor's instruction sets allow, unless OPENBLAS_CORETYPE is set. Nothing may be computed meanwhile.
+void useFastestBlasKernels();
 
 /// The library and the kernels that runs compute with: "OpenBLAS 0.3.21, kernels SkylakeX".
 std::string blasName();

@@ -217,13 +217,19 @@ def _times_wanted(resolved: str) -> list[float]:
 
 def _engine() -> Any:
     try:
-        from . import _engine as engine
+        if (Path(__file__).parent / "newer").exists() and {"avx2", "fma", "bmi2"} <= _processor_features():
+            from .newer import _engine as engine  # as the command does, or bits would differ
+        else:
+            from . import _engine as engine
     except ImportError as error:
         raise Error(f"the engine is not there ({error}): this package was installed without its compiled part, which "
                     "-DBURNISH_PYTHON_MODULE=ON builds; `burnish run` computes, and burnish.open reads") from None
-    if kernels := engine.kernels_to_ask_for():
-        warnings.warn(f"OpenBLAS takes slow kernels for this processor: start Python with OPENBLAS_CORETYPE={kernels}", stacklevel=4)
     return engine
+
+
+def _processor_features() -> set[str]:
+    with open("/proc/cpuinfo", encoding="ascii", errors="replace") as about:
+        return next((set(line.split()) for line in about if line.startswith("flags")), set())
 
 
 def _require_ours(directory: Path) -> None:

@@ -241,3 +241,41 @@ def test_results_can_be_read_in_the_callback(tmp_path):
     assert frames == [1, 1, 2, 2]
     with h5py.File(tmp_path / "result.h5") as file:
         assert file.attrs["kind"] == b"model"
+
+
+def test_runs_of_several_threads_take_turns(tmp_path):
+    runs = {}
+
+    def compute(name):
+        runs[name] = burnish.Scene(SCENES["press"]).run(tmp_path / name)
+
+    threads = [threading.Thread(target=compute, args=(name,)) for name in "abc"]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(runs) == ["a", "b", "c"]
+    assert files_of(tmp_path / "a") == files_of(tmp_path / "b") == files_of(tmp_path / "c")
+
+
+def test_the_engine_is_that_for_newer_processors_where_the_command_is(tmp_path):
+    """A package that has both, with one compiled part in the place of the other."""
+    package = Path(burnish.__file__).parent
+    shutil.copytree(package, tmp_path / "burnish", ignore=shutil.ignore_patterns("__pycache__", "_engine*"))
+    (tmp_path / "burnish/newer").mkdir()
+    for compiled in package.glob("_engine*.so"):
+        (tmp_path / "burnish/newer" / compiled.name).symlink_to(compiled.resolve())
+    code = """
+from burnish import scene
+scene._processor_features = lambda: {"fpu", "avx2", "fma", "bmi2"}
+print(scene._engine().__name__)
+scene._processor_features = lambda: {"fpu", "avx2"}
+try:
+    scene._engine()
+except Exception as error:
+    print(error)
+"""
+    told = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True,
+                          env=dict(os.environ, PYTHONPATH=str(tmp_path))).stdout.splitlines()
+    assert told[0] == "burnish.newer._engine"
+    assert told[1].startswith("the engine is not there")
