@@ -173,6 +173,12 @@ void requireDirectoryName(const char* option, const std::filesystem::path& direc
                             option, name, name));
 }
 
+void requireDocumentName(const std::filesystem::path& file) {
+  if (file == "-")
+    throw Error(
+        "--document: found \"-\"; expected the name of a file: its pictures are written beside it, which cannot be printed");
+}
+
 void makeDirectoryOf(const std::filesystem::path& file) {
   const auto directory = file.parent_path();
   if (directory.empty()) return;

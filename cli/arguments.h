@@ -61,6 +61,9 @@ void requireNotInput(const char* option, const std::filesystem::path& output,
 /// Throws `Error` if what stands for a directory is -, or an option before which the directory is missing.
 void requireDirectoryName(const char* option, const std::filesystem::path& directory);
 
+/// Throws `Error` if the document of --document is to be printed.
+void requireDocumentName(const std::filesystem::path& file);
+
 /// Creates the directory that a file given with -o goes to.
 void makeDirectoryOf(const std::filesystem::path& file);
 

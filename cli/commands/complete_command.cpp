@@ -22,7 +22,8 @@ ExitCode completeLine(const CLI::App& program, const std::string& line) {
   words.erase(words.begin());
   if (words.empty()) return ExitCode::Fine;
   const std::size_t cut = words.back().find_last_of("=:") + 1;
-  for (const Candidate& candidate : candidates(program, words)) printOut("{}\n", candidate.text.substr(cut));
+  for (const Candidate& candidate : candidates(program, words))
+    if (candidate.text.size() > cut) printOut("{}\n", candidate.text.substr(cut));
   return ExitCode::Fine;
 }
 

@@ -148,6 +148,7 @@ ExitCode writeWorkflow(const FiguresArguments& arguments, const char* file) {
 }
 
 ExitCode figures(FiguresArguments arguments) {
+  requireDocumentName(arguments.document);
   if (arguments.workflow)
     return writeWorkflow(arguments, chosen("--workflow", *arguments.workflow, kWorkflows));
   requireDirectoryName("-o", arguments.output);

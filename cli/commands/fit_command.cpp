@@ -16,6 +16,7 @@
 #include "cli/command.h"
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
+#include "cli/output_target.h"
 #include "engine/core/error.h"
 #include "engine/fit/law_fit.h"
 #include "postproc/draw/chart/chart.h"
@@ -135,8 +136,11 @@ ExitCode fit(const FitArguments& arguments) {
   const FitResiduals residuals = chosen("--residuals", arguments.residuals,
                                         std::array{std::pair{"relative", FitResiduals::Relative},
                                                    std::pair{"absolute", FitResiduals::Absolute}});
+  const bool printsLaw = arguments.output.empty() || isStandardOutput(arguments.output);
+  if (!arguments.output.empty() && printsLaw && arguments.outputs.printsData())
+    throw Error("-o: the law and the points of --csv - would be printed together; expected one of them");
   std::vector<std::filesystem::path> taken = arguments.files;
-  requireNotInput("-o", arguments.output, taken);
+  if (!printsLaw) requireNotInput("-o", arguments.output, taken);
   taken.push_back(arguments.output);
   requireNotInput("--chart", arguments.outputs.picture, taken);
   taken.push_back(arguments.outputs.picture);
@@ -158,7 +162,7 @@ ExitCode fit(const FitArguments& arguments) {
       writeChartData(chart, outputs.csv);
   }
   for (const std::string& warning : found.warnings) printError("warning: {}: {}\n", law.name, warning);
-  if (arguments.output.empty()) {
+  if (printsLaw) {
     if (!outputs.printsData()) printText(documentOf(arguments, found));
     return ExitCode::Fine;
   }

@@ -144,6 +144,7 @@ bool printJson(const std::vector<VerifiedCase>& cases) {
 
 ExitCode verify(const VerifyArguments& arguments) {
   requireDirectoryName("-o", arguments.directory);
+  requireDocumentName(arguments.document);
   std::vector<VerificationCase> cases;
   for (const fs::path& path : arguments.scenes)
     for (const fs::path& scene : scenesIn(path)) cases.push_back(readCase(scene));
