@@ -2,9 +2,15 @@
 
 #include "engine/scene/scene_reading.h"
 #include "engine/scene/schema.h"
+#include "engine/schema/declaration_collector.h"
+#include "engine/schema/mapping_reader.h"
 #include "engine/schema/mapping_writer.h"
 
 namespace burnish {
+
+template void describeSimulation(MappingReader&, Scene&);
+template void describeSimulation(MappingWriter&, Scene&);
+template void describeSimulation(DeclarationCollector&, Scene&);
 
 Scene parseScene(const std::string& yaml, const std::string& name,
                  const std::vector<std::string>& overrides) {

@@ -171,4 +171,12 @@ void describe(Visitor& v, Scene& s) {
   describeMeasures(v, s);
 }
 
+// Compiled once, in reader.cpp.
+class MappingReader;
+class MappingWriter;
+class DeclarationCollector;
+extern template void describeSimulation(MappingReader&, Scene&);
+extern template void describeSimulation(MappingWriter&, Scene&);
+extern template void describeSimulation(DeclarationCollector&, Scene&);
+
 }  // namespace burnish

@@ -211,7 +211,7 @@ burnish_add_image_test(deeper SCENE press.yaml BASELINE baseline/press.png
   SET "tools[0].motion.y=[0,-0.06]" RENDER --field von_mises --size 400,300)
 )";
 
-constexpr const char* kScene = R"(
+constexpr const char* kComparedScene = R"(
 geometry: {shape: rectangle, size: [2, 1], functions: [7, 4]}
 material: {law: neo-hookean, E: 1, nu: 0.3}
 supports: [{face: bottom, fix: [x, y]}]
@@ -222,7 +222,7 @@ steps: [{until: 1, count: 4}]
 
 TEST_F(CompareCommand, ImageTestsInAProjectOfTheUser) {
   writeText(kUserProject, dir / "CMakeLists.txt");
-  writeText(kScene, dir / "press.yaml");
+  writeText(kComparedScene, dir / "press.yaml");
   const auto expectFine = [&](const std::string& line) {
     const Outcome outcome = shell(dir, line);
     ASSERT_EQ(outcome.code, 0) << line << "\n" << outcome.out << outcome.err;

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kScene = R"(
+constexpr const char* kStudiedScene = R"(
 geometry: {shape: rectangle, size: [2.0, 1.0], functions: [6, 3]}
 material: {law: neo-hookean, E: 1.0, nu: 0.3}
 supports: [{face: bottom, fix: [x, y]}, {face: top, move: {times: [0, 1], y: [0, -0.1]}}]
@@ -47,7 +47,7 @@ class FiguresCommand : public ShellTest {
  protected:
   void SetUp() override {
     ShellTest::SetUp();
-    write("block.yaml", kScene);
+    write("block.yaml", kStudiedScene);
     writeStudy("material.E=2");
   }
 

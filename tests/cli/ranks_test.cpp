@@ -188,6 +188,9 @@ class Ranks : public ShellTest {
         difference[name] = std::max(difference[name], std::abs(a.values[c][k] - b.values[c][k]));
       }
     }
+    // The energy lost in a new mesh is a small difference of two like this one.
+    if (const auto lost = largest.find("rezoning_energy_lost"); lost != largest.end())
+      lost->second = largest.at("strain_energy");
     double worst = 0.0;
     for (const auto& [name, size] : largest)
       if (size > 1e-13)

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kScene = R"(
+constexpr const char* kReportedScene = R"(
 title: A <press> & more
 geometry: {shape: rectangle, size: [2, 1], functions: [7, 4]}
 material: {law: neo-hookean, E: 1, nu: 0.3}
@@ -29,7 +29,7 @@ class ReportCommand : public testing::Test {
  protected:
   void SetUp() override {
     fs::remove_all(dir);
-    writeText(kScene, dir / "press.yaml");
+    writeText(kReportedScene, dir / "press.yaml");
     ASSERT_EQ(shell(dir, BURNISH_COMMAND " run press.yaml -o out --quiet").code, 0);
   }
   void TearDown() override { fs::remove_all(dir); }

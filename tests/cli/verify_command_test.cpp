@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// A block that is pressed by a tenth of its height, on three meshes.
-constexpr const char* kScene = R"(title: Block
+constexpr const char* kVerifiedScene = R"(title: Block
 degree: 1
 geometry: {shape: rectangle, size: [2, 1], spans: [2, 1]}
 material: {law: neo-hookean, E: 1, nu: 0.3}
@@ -32,7 +32,7 @@ checks:
 class VerifyCommand : public testing::Test {
  protected:
   Outcome verify(const std::string& low, const std::string& arguments) const {
-    std::string yaml = kScene;
+    std::string yaml = kVerifiedScene;
     writeText(yaml.replace(yaml.find("LOW"), 3, low), scratch_.path() / "scenes/verification/block.yaml");
     return shell(scratch_.path(), BURNISH_COMMAND " verify " + arguments);
   }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "engine/core/error.h"
@@ -18,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using samples::replaced;
+using test::bytes;
 using test::Outcome;
 using test::ScratchDirectory;
 using testing::Contains;
@@ -202,11 +201,6 @@ TEST(Reactions, HaveColumnsOfTheirOwn) {
   EXPECT_EQ(errorOf({"supports[0].name=disc", "output.reactions=false"}), "no error");
   EXPECT_THAT(errorOf({"supports[0].name=support2", "output.reactions=false"}),
               HasSubstr("supports[1]: found the name support2"));
-}
-
-std::string bytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(Reactions, OfAResumedRunAreThoseOfOneThatWasNotStopped) {

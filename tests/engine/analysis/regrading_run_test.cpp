@@ -144,7 +144,7 @@ const std::string kShort = replaced(
     "growth: 2}", "growth: 2.5}");
 
 /// The ball rubs.
-const std::string kRubbed =
+const std::string kRubbedInSpace =
     replaced(replaced(kShort, "contact: [{tool: ball, face: top}]\nrezoning: {travel: 0.3}",
                       "contact: [{tool: ball, face: top, method: integral-augmented-lagrangian, friction: "
                       "0.1}]\nrezoning: {travel: 0.22}"),
@@ -169,7 +169,7 @@ constexpr std::array kNamesOfResumed{"Friction", "Force", "LetGo"};
 
 class ResumedRegrading : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ResumedRegrading, testing::Values(kRubbed, kPressed, kHeld),
+INSTANTIATE_TEST_SUITE_P(Scenes, ResumedRegrading, testing::Values(kRubbedInSpace, kPressed, kHeld),
                          [](const auto& test) { return kNamesOfResumed[test.index]; });
 
 TEST_P(ResumedRegrading, HasTheSameBits) {

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "engine/analysis/build_model.h"
 #include "engine/core/error.h"
@@ -16,13 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using samples::replaced;
+using test::bytes;
 using test::Outcome;
 using test::ScratchDirectory;
 using testing::HasSubstr;
 using Strings = std::vector<std::string>;
 
 /// A block on a floor whose right face is moved out and up, and let go.
-const std::string kBlock = R"(
+const std::string kReleased = R"(
 geometry: {shape: rectangle, size: [2.0, 1.0], spans: [4, 2]}
 material: {law: neo-hookean, E: 1.0, nu: 0.3}
 supports:
@@ -47,7 +46,7 @@ std::size_t rowAt(const HistoryTable& history, double time) {
 }
 
 TEST(Release, ForcesOfASupportThatLetsGoFadeLinearly) {
-  const HistoryTable history = ranBlock(kBlock, "fade").history;
+  const HistoryTable history = ranBlock(kReleased, "fade").history;
   const auto& fx = history.column("grip.fx");
   const double held = fx[rowAt(history, 1.0)];
   EXPECT_GT(std::abs(held), 0.01);
@@ -56,7 +55,7 @@ TEST(Release, ForcesOfASupportThatLetsGoFadeLinearly) {
 }
 
 TEST(Release, TheOtherSupportsBalanceWhatIsLeftAtEveryStep) {
-  const HistoryTable history = ranBlock(kBlock, "balance").history;
+  const HistoryTable history = ranBlock(kReleased, "balance").history;
   for (std::size_t k = 0; k < history.numRows(); ++k)
     for (const char* force : {"fx", "fy"})
       EXPECT_NEAR(
@@ -66,14 +65,14 @@ TEST(Release, TheOtherSupportsBalanceWhatIsLeftAtEveryStep) {
 }
 
 TEST(Release, AnElasticBodySpringsBackToWhereItWas) {
-  const Outcome ran = ranBlock(kBlock, "elastic");
+  const Outcome ran = ranBlock(kReleased, "elastic");
   ASSERT_TRUE(ran.summary.completed) << ran.summary.stoppedBecause;
   EXPECT_LT(ran.lastFrame.displacement.cwiseAbs().maxCoeff(), 1e-10);
   EXPECT_LT(std::abs(ran.history.column("end.stress_xx").back()), 1e-10);
 }
 
 TEST(Release, TheWorkOfFadingForcesIsCounted) {
-  const Outcome ran = ranBlock(kBlock, "work", {"steps=[{until: 1, count: 40}, {until: 2.5, count: 60}]"});
+  const Outcome ran = ranBlock(kReleased, "work", {"steps=[{until: 1, count: 40}, {until: 2.5, count: 60}]"});
   const auto& work = ran.history.column("external_work");
   const double most = work[rowAt(ran.history, 1.0)];
   EXPECT_GT(most, 0.001);
@@ -83,7 +82,7 @@ TEST(Release, TheWorkOfFadingForcesIsCounted) {
 
 TEST(Release, WithoutAnEndItTakesTheRestOfTheRun) {
   const HistoryTable history =
-      ranBlock(replaced(kBlock, ", released_by: 2", ""), "rest", {"steps[1].until=3"}).history;
+      ranBlock(replaced(kReleased, ", released_by: 2", ""), "rest", {"steps[1].until=3"}).history;
   const auto& fx = history.column("grip.fx");
   EXPECT_NEAR(fx[rowAt(history, 2.0)], 0.5 * fx[rowAt(history, 1.0)], 1e-11);
   EXPECT_NEAR(fx.back(), 0.0, 1e-11);
@@ -91,7 +90,7 @@ TEST(Release, WithoutAnEndItTakesTheRestOfTheRun) {
 
 TEST(Release, AComponentThatAnotherSupportHoldsStays) {
   const std::string held =
-      replaced(kBlock, "measures:", "  - {face: right, part: [0.5, 1], fix: [y]}\nmeasures:");
+      replaced(kReleased, "measures:", "  - {face: right, part: [0.5, 1], fix: [y]}\nmeasures:");
   const Outcome ran = ranBlock(replaced(held, ", y: [0, 0.1]", ", y: [0, 0]"), "stays");
   EXPECT_NEAR(ran.history.column("end.uy").back(), 0.0, 1e-15);
   EXPECT_GT(std::abs(ran.history.column("support3.fy")[rowAt(ran.history, 1.0)]), 1e-3)
@@ -101,7 +100,7 @@ TEST(Release, AComponentThatAnotherSupportHoldsStays) {
 /// A second cycle of a load on a metal that has flowed is elastic.
 TEST(Release, ElasticUnloadingAndLoadingAgainReturnsToTheState) {
   const std::string metal = replaced(
-      replaced(kBlock, ", until: 1, released_by: 2", ", until: 9.5"), "law: neo-hookean, E: 1.0, nu: 0.3",
+      replaced(kReleased, ", until: 1, released_by: 2", ", until: 9.5"), "law: neo-hookean, E: 1.0, nu: 0.3",
       "law: j2, E: 1, nu: 0.3, hardening: {law: linear, sigma0: 0.01, modulus: 0.1}");
   const Outcome ran =
       ranBlock(replaced(metal, "measures:",
@@ -121,14 +120,9 @@ TEST(Release, ElasticUnloadingAndLoadingAgainReturnsToTheState) {
   }
 }
 
-std::string bytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(Release, ARunThatIsStoppedAtEveryStepHasTheSameBits) {
   const ScratchDirectory whole("release_whole"), part("release_part");
-  const Scene scene = parseScene(kBlock, "test.yaml", {"output.every=0.5"});
+  const Scene scene = parseScene(kReleased, "test.yaml", {"output.every=0.5"});
   RunObserver silent;
   runScene(scene, whole.path(), {}, silent);
   const RunOptions haltAtOnce{.threads = 1, .halt = [] { return true; }};
@@ -142,7 +136,7 @@ TEST(Release, ARunThatIsStoppedAtEveryStepHasTheSameBits) {
 }
 
 /// What is wrong with the block after changes.
-std::string errorOfBlock(const Strings& overrides, const std::string& yaml = kBlock) {
+std::string errorOfBlock(const Strings& overrides, const std::string& yaml = kReleased) {
   try {
     buildModel<2>(parseScene(yaml, "test.yaml", overrides));
   } catch (const Error& error) {
@@ -152,7 +146,7 @@ std::string errorOfBlock(const Strings& overrides, const std::string& yaml = kBl
 }
 
 TEST(Release, AsksFormulasForNothingBehindIt) {
-  const std::string root = replaced(kBlock, "move: {times: [0, 1], x: [0, 0.2], y: [0, 0.1]}",
+  const std::string root = replaced(kReleased, "move: {times: [0, 1], x: [0, 0.2], y: [0, 0.1]}",
                                     "prescribe: {x: 0.1 - 0.1*sqrt(1 - t)}");
   EXPECT_EQ(errorOfBlock({}, root), "no error");
   EXPECT_THAT(errorOfBlock({"supports[1].until=1.5"}, root), HasSubstr("supports[1].prescribe: "));

@@ -21,6 +21,8 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using test::haltAfter;
+using test::runTo;
 using test::ScratchDirectory;
 using testing::HasSubstr;
 
@@ -75,16 +77,6 @@ std::string differences(const std::map<std::string, std::string>& a,
   for (const auto& [name, bytes] : b)
     if (!a.contains(name)) names += name + " ";
   return names;
-}
-
-/// Halts after so many steps from the start or from where the run is resumed.
-RunOptions haltAfter(int steps, int threads = 0) {
-  return {.threads = threads, .halt = [steps, taken = 0]() mutable { return ++taken >= steps; }};
-}
-
-RunSummary runTo(const fs::path& directory, const std::string& scene, const RunOptions& options) {
-  RunObserver silent;
-  return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
 }
 
 RunSummary resume(const fs::path& directory, const RunOptions& options = {}) {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <tuple>
 
 #include "engine/core/error.h"
@@ -18,17 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using samples::replaced;
+using test::bytes;
+using test::haltAfter;
+using test::last;
+using test::runTo;
 using test::ScratchDirectory;
 using testing::HasSubstr;
-
-RunSummary runTo(const fs::path& directory, const std::string& scene, const RunOptions& options = {}) {
-  RunObserver silent;
-  return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
-}
-
-double last(const HistoryTable& history, const std::string& column) {
-  return history.column(column).back();
-}
 
 const std::string kSlab = R"(
 geometry: {shape: rectangle, size: [2.0, 0.6], functions: [30, 8]}
@@ -40,8 +33,8 @@ material:
 )";
 
 /// A body that flows while it is pressed flat, until t = 1, and rests from then on.
-const std::string kBlock = replaced(kSlab, "size: [2.0, 0.6], functions: [30, 8]",
-                                    "origin: [5, 0], size: [1.0, 1.0], functions: [7, 6]");
+const std::string kRestingBlock = replaced(kSlab, "size: [2.0, 0.6], functions: [30, 8]",
+                                           "origin: [5, 0], size: [1.0, 1.0], functions: [7, 6]");
 
 std::string inList(const std::string& name, std::string body) {
   for (std::size_t at = 0; (at = body.find('\n', at)) + 1 < body.size(); at += 4)
@@ -51,7 +44,7 @@ std::string inList(const std::string& name, std::string body) {
 
 /// The ironing of `samples::ironing` beside a block that nothing touches.
 std::string beside(bool slabIsFirst) {
-  const std::string slab = inList("slab", kSlab), block = inList("block", kBlock);
+  const std::string slab = inList("slab", kSlab), block = inList("block", kRestingBlock);
   std::string scene =
       replaced(samples::ironing, kSlab, "bodies:" + (slabIsFirst ? slab + block : block + slab));
   scene = replaced(scene, "supports: [{face: bottom, fix: [x, y]}]", R"(supports:
@@ -209,22 +202,15 @@ TEST(RezonedPair, ResumesWithTheSameBitsFromAnyMesh) {
     const RunSummary summary = runTo(whole.path(), scene);
     ASSERT_TRUE(summary.completed) << summary.stoppedBecause;
     ASSERT_GE(summary.rezonings.size(), 3u);
-    const auto halt = [](int threads) {
-      return RunOptions{.threads = threads, .halt = [taken = 0]() mutable { return ++taken >= 3; }};
-    };
-    RunSummary resumed = runTo(part.path(), scene, halt(1));
+    RunSummary resumed = runTo(part.path(), scene, haltAfter(3, 1));
     RunObserver silent;
     for (int halts = 0; resumed.halted; ++halts) {
       ASSERT_LT(halts, 100);
-      resumed = resumeRun(readResultScene(part.path()), part.path(), halt(2), silent);
+      resumed = resumeRun(readResultScene(part.path()), part.path(), haltAfter(3, 2), silent);
     }
     EXPECT_TRUE(resumed.completed);
     for (const auto& entry : fs::recursive_directory_iterator(whole.path())) {
       if (!entry.is_regular_file() || entry.path().filename() == "summary.yaml") continue;
-      const auto bytes = [](const fs::path& file) {
-        std::ifstream stream(file, std::ios::binary);
-        return std::string{std::istreambuf_iterator<char>(stream), {}};
-      };
       EXPECT_EQ(bytes(entry.path()), bytes(part.path() / fs::relative(entry.path(), whole.path())))
           << slave << entry.path();
     }

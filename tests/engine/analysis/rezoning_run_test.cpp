@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "engine/core/error.h"
 #include "engine/results/summary_file.h"
@@ -18,6 +16,10 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes;
+using test::haltAfter;
+using test::last;
+using test::runTo;
 using test::ScratchDirectory;
 using testing::HasSubstr;
 
@@ -25,24 +27,6 @@ using testing::HasSubstr;
 const std::string kRezoned =
     samples::ironing +
     "rezoning: {travel: 0.1, spans: [32, 8]}\nmeasures: [{name: top, kind: extent, face: top}]\n";
-
-RunOptions haltAfter(int steps, int threads = 0) {
-  return {.threads = threads, .halt = [steps, taken = 0]() mutable { return ++taken >= steps; }};
-}
-
-RunSummary runTo(const fs::path& directory, const std::string& scene, const RunOptions& options = {}) {
-  RunObserver silent;
-  return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
-}
-
-std::string bytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-double last(const HistoryTable& history, const std::string& column) {
-  return history.column(column).back();
-}
 
 /// The same where the tool rubs.
 const std::string kRubbed =
@@ -346,16 +330,16 @@ TEST(RezoningRun, BooksCloseWhereASupportHoldsAnEndOfAFaceThatTouchesAtPoints) {
 }
 
 /// The disc, or a ball, is pressed in alone.
-std::string pressed(const std::string& keys, const std::string& center) {
+std::string ballPressed(const std::string& keys, const std::string& center) {
   std::string scene = samples::replaced(keys + samples::ironing, "functions: [30, 8]", "functions: [31, 9]");
   scene = samples::replaced(scene, "x: [0, 0, 0.4], y: [0, -0.03, -0.03]", "y: [0, -0.03, -0.06]");
   return samples::replaced(scene, "center: [0.7, 1.1]", center) + "rezoning: {travel: 0.02}\n";
 }
 
 TEST_P(RezoningRuns, LagrangeElementsAndAxisymmetricBodiesAreMeshedAnewToo) {
-  const std::string ball = samples::replaced(pressed("kinematics: axisymmetric\n", "center: [0.0, 1.1]"),
+  const std::string ball = samples::replaced(ballPressed("kinematics: axisymmetric\n", "center: [0.0, 1.1]"),
                                              "fix: [x, y]}", "fix: [x, y]}, {face: left, fix: [x]}");
-  for (const std::string& one : {pressed("basis: lagrange\n", "center: [1.0, 1.1]"), ball}) {
+  for (const std::string& one : {ballPressed("basis: lagrange\n", "center: [1.0, 1.1]"), ball}) {
     const std::string scene = GetParam() + one;
     const ScratchDirectory directory("rezoned_other");
     const RunSummary summary = runTo(directory.path(), scene);

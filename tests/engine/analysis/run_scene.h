@@ -54,6 +54,27 @@ inline Outcome run(const Scene& scene, const std::string& name, int threads = 0)
   return outcome;
 }
 
+/// A run that is stopped after so many steps, from the start or from where it is resumed.
+inline RunOptions haltAfter(int steps, int threads = 0) {
+  return {.threads = threads, .halt = [steps, taken = 0]() mutable { return ++taken >= steps; }};
+}
+
+inline RunSummary runTo(const std::filesystem::path& directory, const std::string& scene,
+                        const RunOptions& options = {}) {
+  RunObserver silent;
+  return runScene(parseScene(scene, "test.yaml"), directory, options, silent);
+}
+
+inline std::string bytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Value of a column at the end.
+inline double last(const HistoryTable& history, const std::string& column) {
+  return history.column(column).back();
+}
+
 /// `history.csv` of a run, and of one of the same scene that is halted after every step and resumed.
 struct HaltedHistory {
   std::string whole, halted;
@@ -62,18 +83,14 @@ struct HaltedHistory {
 
 inline HaltedHistory haltedAfterEveryStep(const Scene& scene, const std::string& name) {
   const ScratchDirectory whole(name + "_whole"), part(name + "_part");
-  const auto historyIn = [](const ScratchDirectory& directory) {
-    std::ifstream in(directory.path() / "history.csv", std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
   RunObserver silent;
   runScene(scene, whole.path(), {}, silent);
   const RunOptions halting{.halt = [] { return true; }};
   HaltedHistory found;
   for (RunSummary summary = runScene(scene, part.path(), halting, silent); summary.halted; ++found.halts)
     summary = resumeRun(readResultScene(part.path()), part.path(), halting, silent);
-  found.whole = historyIn(whole);
-  found.halted = historyIn(part);
+  found.whole = bytes(whole.path() / "history.csv");
+  found.halted = bytes(part.path() / "history.csv");
   return found;
 }
 

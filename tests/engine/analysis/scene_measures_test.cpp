@@ -25,7 +25,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kBlock = R"(degree: 2
+const std::string kMeasured = R"(degree: 2
 geometry: {shape: rectangle, size: [2, 1], spans: [4, 3]}
 material: {law: neo-hookean, E: 1, nu: 0.25}
 supports: [{face: bottom, fix: [x, y]}]
@@ -100,7 +100,9 @@ class MeasuredScene {
 
 TEST(QuadraturePoints, AsManyAsTheDegreeNeedSmoothSplinesOfTwoSpans) {
   const auto said = [](const std::string& more) {
-    return messageOf([&] { buildModel<2>(parseScene(kBlock, "test.yaml", {"quadrature_points=2", more})); });
+    return messageOf([&] {
+      buildModel<2>(parseScene(kMeasured, "test.yaml", {"quadrature_points=2", more}));
+    });
   };
   EXPECT_EQ(said("geometry.spans=[2, 2]"), "");
   for (const char* bad : {"geometry.spans=[4, 1]", "geometry.creases=[[0.5], []]"})
@@ -148,7 +150,7 @@ TEST(PointMeasure, RefusesAPositionOutsideTheBody) {
 
 TEST(PointMeasure, KeepsTheOrderOfItsFields) {
   MeasuredScene scene(
-      kBlock + "measures: [{name: p, kind: point, parameters: [0.5, 1], fields: [stress, displacement]}]");
+      kMeasured + "measures: [{name: p, kind: point, parameters: [0.5, 1], fields: [stress, displacement]}]");
   EXPECT_THAT(scene.columns(),
               ElementsAre("p.stress_xx", "p.stress_yy", "p.stress_xy", "p.stress_zz", "p.ux", "p.uy"));
   // Lamé's constants are both 0.4; the strain is small.
@@ -163,7 +165,7 @@ TEST(PointMeasure, KeepsTheOrderOfItsFields) {
 }
 
 TEST(FaceMeasure, HasTheMeanDisplacementOfAPart) {
-  MeasuredScene scene(kBlock + "measures: [{name: f, kind: face, face: top, part: [0.3, 0.9]}]");
+  MeasuredScene scene(kMeasured + "measures: [{name: f, kind: face, face: top, part: [0.3, 0.9]}]");
   const Eigen::Vector2d u = someGradient() * Eigen::Vector2d(1.2, 1.0);  // of the part's middle
   const auto values = scene.atGradient(someGradient());
   EXPECT_NEAR(values.at("f.ux"), u(0), 1e-14);
@@ -171,7 +173,7 @@ TEST(FaceMeasure, HasTheMeanDisplacementOfAPart) {
 }
 
 TEST(FaceMeasure, HasTheForcesOfItsSupportsAndOfItsOwnLoadsOnly) {
-  MeasuredScene scene(kBlock + R"(loads:
+  MeasuredScene scene(kMeasured + R"(loads:
   - {body_force: [0.003, -0.02]}
   - {face: top, traction: [0.004, 0.01]}
   - {face: right, traction: [0, 0.005]}
@@ -220,7 +222,7 @@ TEST(HalfEllipse, IsZeroForTooFewPointsAndForOtherShapes) {
 }
 
 TEST(EllipseMeasure, MeasuresArcLengthsOfTheDeformedFace) {
-  MeasuredScene scene(samples::replaced(kBlock, "[4, 3]", "[200, 1]") + R"(tools:
+  MeasuredScene scene(samples::replaced(kMeasured, "[4, 3]", "[200, 1]") + R"(tools:
   - {name: inner, shape: cylinder, center: [1.5, 1.5], radius: 0.5, motion: {times: [0, 1], y: [0, -0.02]}}
   - {name: outer, shape: cylinder, center: [3, 1.5], radius: 0.5, motion: {times: [0, 1], y: [0, -0.02]}}
 contact:
@@ -265,7 +267,7 @@ measures: [{name: fit, kind: ellipse, tool: touch, body: disc, face: right}]
 }
 
 TEST(ExtentMeasure, IsTheBoxOfTheDeformedFace) {
-  MeasuredScene scene(kBlock + "measures: [{name: right, kind: extent, face: right}]\n");
+  MeasuredScene scene(kMeasured + "measures: [{name: right, kind: extent, face: right}]\n");
   const auto values = scene.atGradient((Eigen::Matrix2d() << 0.5, 0.2, 0.0, -0.1).finished());
   // x = 1.5 X + 0.2 Y, y = 0.9 Y on X = 2, up to the outermost of three Gauss points in each of three spans.
   const double rest = (1.0 - std::sqrt(0.6)) / 6.0;
@@ -283,7 +285,7 @@ TEST(PercentileMeasure, WeighsValuesByVolume) {
   EXPECT_DOUBLE_EQ(weightedPercentile(values, even, 0.999), 4.0);
   EXPECT_NEAR(weightedPercentile(values, Eigen::Vector4d(1e-6, 1.0, 1.0, 1e-6), 0.5), 1.5, 1e-5);
 
-  MeasuredScene scene(kBlock + "measures: [{name: p, kind: percentile, field: pressure, share: 0.9}]\n");
+  MeasuredScene scene(kMeasured + "measures: [{name: p, kind: percentile, field: pressure, share: 0.9}]\n");
   const double uniform = scene.atGradient((Eigen::Matrix2d() << 0.1, 0.0, 0.0, 0.1).finished()).at("p.value");
   EXPECT_LT(uniform, 0.0);
 }

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "tests/engine/analysis/run_scene.h"
@@ -14,6 +12,7 @@ namespace burnish {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes;
 using test::ScratchDirectory;
 
 /// A hairpin whose legs are squeezed until they touch. basis: lines of the scene; refine: parts of a knot
@@ -179,11 +178,6 @@ test::Outcome outcomeOf(const std::string& scene) {
 
 double last(const test::Outcome& outcome, const std::string& column) {
   return outcome.history.column(column).back();
-}
-
-std::string bytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 struct Legs {

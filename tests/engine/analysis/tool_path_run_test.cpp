@@ -161,7 +161,7 @@ TEST(ToolOnAPath, ComesDownAndBeginsToRollInFewSteps) {
 /// Straight down on a face that rises by an angle, friction rubs at once with all that it has, and the roller has to turn
 /// until nothing turns it.
 TEST(ToolOnAPath, ThatTurnsFreelyMayComeDownAslant) {
-  constexpr double kForce = 0.5, kRadius = 0.5;
+  constexpr double kCarried = 0.5, kRollerRadius = 0.5;
   for (const double degrees : {10.0, 30.0}) {
     const double angle = degrees * std::acos(-1.0) / 180.0, rise = std::tan(angle);
     const Outcome ran =
@@ -186,8 +186,8 @@ contact: [{{tool: roller, face: top, friction: 0.1, method: integral-augmented-l
 steps: [{{until: 1, count: 10}}]
 output: {{vtu: false}}
 )",
-                                         0.3 * rise, 0.5 + 2.0 * rise, 0.8 - kRadius * std::sin(angle),
-                                         0.5 + 0.8 * rise + kRadius * std::cos(angle)),
+                                         0.3 * rise, 0.5 + 2.0 * rise, 0.8 - kRollerRadius * std::sin(angle),
+                                         0.5 + 0.8 * rise + kRollerRadius * std::cos(angle)),
                              "test.yaml"),
                   "path_aslant");
     ASSERT_TRUE(ran.summary.completed) << degrees << ": " << ran.summary.stoppedBecause;
@@ -196,9 +196,9 @@ output: {{vtu: false}}
     int pressed = 0;
     for (std::size_t k = 1; k < history.numRows(); ++k) {
       const double across = history.column("roller.fx")[k], down = history.column("roller.fy")[k];
-      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10 * kForce * kRadius)
+      EXPECT_LT(std::abs(history.column("roller.mz")[k]), 1e-10 * kCarried * kRollerRadius)
           << degrees << ", row " << k;
-      if (down < 0.9 * kForce) continue;
+      if (down < 0.9 * kCarried) continue;
       ++pressed;
       EXPECT_NEAR(across / down, -rise, 0.05 * rise) << "no friction is left, row " << k;
     }

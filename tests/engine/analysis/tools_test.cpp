@@ -55,7 +55,7 @@ steps: [{{until: 1, count: 2}}]
                     "cube");
 }
 
-const char* const kDown = "motion: {times: [0, 1], y: [0, -0.1]}";
+const char* const kMotionDown = "motion: {times: [0, 1], y: [0, -0.1]}";
 
 std::string circle(double radius, double x, double y) {
   const double s = std::sqrt(0.5);
@@ -82,7 +82,7 @@ std::string circleOfSegments(double radius, double x, double y, int segments) {
 }
 
 test::Outcome runWith(const std::string& shape) {
-  return test::run(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown)), "tool");
+  return test::run(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kMotionDown)), "tool");
 }
 
 /// Largest difference of the displacements, over the largest displacement.
@@ -109,7 +109,7 @@ TEST(ToolsTest, APlateInSpaceIsTheSameAsPlaneSurfaceAndMesh) {
   const auto file = directory.path() / "plate.off";
   std::ofstream(file) << "OFF\n4 2 0\n-4 0.5 -4\n6 0.5 -4\n6 0.5 6\n-4 0.5 6\n3 0 1 2\n3 0 2 3\n";
   const auto with = [](const std::string& shape) {
-    return test::run(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown)), "tool");
+    return test::run(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kMotionDown)), "tool");
   };
   const auto plane = with("shape: plane, origin: [0, 0.5, 0], normal: [0, -1, 0]");
   ASSERT_TRUE(plane.summary.completed);
@@ -182,7 +182,7 @@ TEST(ToolsTest, NewtonConvergesQuadraticallyWithEveryShapeInThePlane) {
         circleOfSegments(0.5, 1, 1.5, 200),
         std::string("shape: union, blend: 0.1, parts: [{shape: cylinder, center: [0.8, 1.5], radius: 0.5}, "
                     "{shape: cylinder, center: [1.2, 1.5], radius: 0.5}]")})
-    EXPECT_GT(bestOrder(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown))), 1.7) << shape;
+    EXPECT_GT(bestOrder(block(fmt::format("  - {{name: tool, {}, {}}}", shape, kMotionDown))), 1.7) << shape;
   EXPECT_GT(bestOrder(block("  - {name: tool, shape: cylinder, center: [1, 1.8], radius: 0.5, carry: {y: "
                             "'-0.5*t'}}")),
             1.7)
@@ -196,7 +196,7 @@ TEST(ToolsTest, NewtonConvergesQuadraticallyWithEveryShapeInSpace) {
         "shape: cone, tip: [0.5, 0.5, 0.5], direction: [0, -1, 0], half_angle: 70, radius: 0.3",
         "shape: torus, center: [0.5, 0.7, 0.5], axis: [0, 1, 0], radius: 0.3, tube_radius: 0.2",
         "shape: box, center: [0.5, 0.9, 0.5], size: [0.7, 0.8, 0.7], radius: 0.2"})
-    EXPECT_GT(bestOrder(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kDown))), 1.7) << shape;
+    EXPECT_GT(bestOrder(cube(fmt::format("  - {{name: tool, {}, {}}}", shape, kMotionDown))), 1.7) << shape;
 }
 
 TEST(ToolsTest, ABallOfFiftyThousandTrianglesPressesLikeASphere) {

@@ -29,11 +29,11 @@ using testing::HasSubstr;
 /// Linear elements on [0, 1]^Dim, ten narrow ones below 0.1 and a wide one in every direction, with the field
 /// `x`, its first coordinate.
 template <int Dim>
-struct Sample {
+struct PanelSample {
   ModelRecord model;
   FrameRecord frame;
 
-  explicit Sample(const Patch<Dim>& shape) {
+  explicit PanelSample(const Patch<Dim>& shape) {
     std::vector<double> breakpoints{0.0};
     for (int k = 1; k <= 10; ++k) breakpoints.push_back(0.01 * k);
     breakpoints.push_back(1.0);
@@ -52,13 +52,13 @@ struct Sample {
 };
 
 TEST(FieldRange, WithoutClipIsTheSmallestAndTheLargestValue) {
-  const Sample<2> sample(rectangle({0, 0}, {1, 1}));
+  const PanelSample<2> sample(rectangle({0, 0}, {1, 1}));
   EXPECT_THAT(fieldRange(sample.model, sample.frame, "x", 1), ElementsAre(0.0, 1.0));
   EXPECT_THAT(fieldRange(sample.model, sample.frame, "x", 1, 100.0), ElementsAre(0.0, 1.0));
 }
 
 TEST(FieldRange, PercentilesAreThoseOfTheAreaAndNotOfThePoints) {
-  const Sample<2> sample(rectangle({0, 0}, {1, 1}));
+  const PanelSample<2> sample(rectangle({0, 0}, {1, 1}));
   constexpr int subdivision = 32;
   constexpr double cell = 0.9 / subdivision;
   for (const double percentile : {70.0, 90.0, 99.0}) {
@@ -69,28 +69,28 @@ TEST(FieldRange, PercentilesAreThoseOfTheAreaAndNotOfThePoints) {
 }
 
 TEST(FieldRange, PercentilesAreThoseOfTheVolume) {
-  const Sample<3> sample(box({0, 0, 0}, {1, 1, 1}));
+  const PanelSample<3> sample(box({0, 0, 0}, {1, 1, 1}));
   const auto range = fieldRange(sample.model, sample.frame, "x", 8, 80.0);
   EXPECT_NEAR(range[0], 0.2, 0.9 / 8);
   EXPECT_NEAR(range[1], 0.8, 0.9 / 8);
 }
 
 TEST(FieldRange, IsOfTheUndeformedBody) {
-  Sample<2> sample(rectangle({0, 0}, {1, 1}));
+  PanelSample<2> sample(rectangle({0, 0}, {1, 1}));
   const auto before = fieldRange(sample.model, sample.frame, "x", 8, 90.0);
   sample.frame.displacement.row(0) = 5.0 * sample.model.mesh.patches.front().points.row(0).cwiseAbs2();
   EXPECT_EQ(fieldRange(sample.model, sample.frame, "x", 8, 90.0), before);
 }
 
 TEST(FieldRange, IsTheWholeOneWhereThePercentilesAreTheSame) {
-  Sample<2> sample(rectangle({0, 0}, {1, 1}));
+  PanelSample<2> sample(rectangle({0, 0}, {1, 1}));
   sample.frame.fields["x"].values.setZero();
   sample.frame.fields["x"].values(0, 14) = 7.0;  // a node amid the narrow elements
   EXPECT_THAT(fieldRange(sample.model, sample.frame, "x", 1, 99.0), ElementsAre(0.0, 7.0));
 }
 
 TEST(FieldRange, RefusesPercentilesAndFieldsThatMeanNothing) {
-  Sample<2> sample(rectangle({0, 0}, {1, 1}));
+  PanelSample<2> sample(rectangle({0, 0}, {1, 1}));
   for (const double clip : {50.0, 0.0, 100.5, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THAT(messageOf([&] { fieldRange(sample.model, sample.frame, "x", 1, clip); }),
                 HasSubstr("above 50"))

@@ -155,7 +155,7 @@ TEST(LinearParts, FillEveryKindOfCell) {
 }
 
 /// A quarter of a ring between the radii 1 and 2, of height 1.
-Grid quarterRing(int type) {
+Grid ringGrid(int type) {
   constexpr int kRound = 4, kOut = 2;
   const auto apart = Grid::New();
   for (int j = 0; j < kRound; ++j)
@@ -169,7 +169,7 @@ Grid quarterRing(int type) {
 }
 
 TEST(LinearParts, OfCellsThatMeetShareTheirPoints) {
-  const Grid ring = quarterRing(VTK_QUADRATIC_HEXAHEDRON), parts = allParts(*ring);
+  const Grid ring = ringGrid(VTK_QUADRATIC_HEXAHEDRON), parts = allParts(*ring);
   const int n = 1 << kCurvedParts;
   EXPECT_EQ(parts->GetNumberOfPoints(), (2 * n + 1) * (4 * n + 1) * (n + 1));
   EXPECT_EQ(outerFaces(*parts)->GetNumberOfCells(), 2 * (2 * n * 4 * n + 2 * n * n + 4 * n * n));
@@ -183,7 +183,7 @@ TEST(LinearParts, OfCellsThatMeetShareTheirPoints) {
 
 TEST(LinearParts, SectionOfARingHasItsAreaAndValues) {
   for (const int type : {VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON}) {
-    const Grid ring = quarterRing(type);
+    const Grid ring = ringGrid(type);
     const auto section = sectionOf(*allParts(*ring), {{0.0, 0.0, 0.25}, {0.0, 0.0, 1.0}});
     EXPECT_NEAR(sizeOf(*section), 0.75 * std::numbers::pi, 2e-3);
     EXPECT_LT(largestError(*section, [](const Eigen::Vector3d& x) { return x.z() * x.z(); }), 1e-12);
@@ -191,7 +191,7 @@ TEST(LinearParts, SectionOfARingHasItsAreaAndValues) {
 }
 
 TEST(LinearParts, CellsOutOfReachAreLeftOut) {
-  const Grid ring = quarterRing(VTK_QUADRATIC_HEXAHEDRON);
+  const Grid ring = ringGrid(VTK_QUADRATIC_HEXAHEDRON);
   Eigen::VectorXd abscissas(ring->GetNumberOfPoints());
   for (vtkIdType k = 0; k < abscissas.size(); ++k) abscissas(k) = ring->GetPoint(k)[0];
   const CutPlane plane{{1.9, 0.0, 0.0}, {1.0, 0.0, 0.0}};
@@ -203,7 +203,7 @@ TEST(LinearParts, CellsOutOfReachAreLeftOut) {
 /// Nothing of a mirror's plane is seen.
 TEST(CurvedCells, MeetTheirImages) {
   for (const int type : {VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON}) {
-    const Grid ring = quarterRing(type);
+    const Grid ring = ringGrid(type);
     const auto whole = outerFaces(*shownCells({ring, mirroredCells(*ring, {0, 0.0}, 1.0)}));
     int inPlane = 0;
     for (vtkIdType face = 0; face < whole->GetNumberOfCells(); ++face) {

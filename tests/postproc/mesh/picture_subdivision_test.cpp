@@ -26,7 +26,7 @@ namespace {
 
 using namespace samples;
 
-const Eigen::AlignedBox2d kEverything(Eigen::Vector2d(-10.0, -10.0), Eigen::Vector2d(10.0, 10.0));
+const Eigen::AlignedBox2d kWholePicture(Eigen::Vector2d(-10.0, -10.0), Eigen::Vector2d(10.0, 10.0));
 
 BodySurface trianglesOf(const MeshRecord& mesh, const Subdivision& subdivision) {
   return {mesh, subdivision, BodySurface::Faces::Outside, BodySurface::Cells::TrianglesAboutMiddles};
@@ -52,8 +52,8 @@ TEST(PictureSubdivision, KeepsCurvedEdgesWithinTheTolerance) {
   for (const Patch<2>& ring : {quarterRing(), lagrangeRing()})
     for (const double tolerance : {0.05, 0.005, 0.0005}) {
       const ModelRecord model = modelOf(ring);
-      const auto outline =
-          bodyOutline(model.mesh, {}, pictureSubdivision(model.mesh, {}, {tolerance, kEverything}, nullptr));
+      const auto outline = bodyOutline(
+          model.mesh, {}, pictureSubdivision(model.mesh, {}, {tolerance, kWholePicture}, nullptr));
       double worst = 0.0;
       vtkNew<vtkIdList> ids;
       for (vtkIdType line = 0; line < outline->GetNumberOfCells(); ++line) {
@@ -79,7 +79,7 @@ TEST(PictureSubdivision, KeepsValuesWithinTheTolerance) {
   for (const double tolerance : {0.02, 0.001}) {
     const ValueTolerance values{strain, tolerance, {0.0, 1.0}};
     const BodySurface surface = trianglesOf(
-        sample.model.mesh, pictureSubdivision(sample.model.mesh, {}, {1.0, kEverything}, &values));
+        sample.model.mesh, pictureSubdivision(sample.model.mesh, {}, {1.0, kWholePicture}, &values));
     const auto shape = surface.displaced({});
     const Eigen::RowVectorXd drawn = surface.evaluate(strain);
     double worst = 0.0;
@@ -111,9 +111,9 @@ TEST(PictureSubdivision, IsOneCellWhereNothingIsSeenOrToldApart) {
   };
   EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {1e-6, elsewhere}, nullptr)), 3 * 4);
   ValueTolerance values{randomCoefficients(1, model.mesh.numNodes, 1), 1e-6, {2.0, 3.0}};
-  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kEverything}, &values)), 3 * 4);
+  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kWholePicture}, &values)), 3 * 4);
   values.range = {-1.0, 1.0};
-  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kEverything}, &values)),
+  EXPECT_EQ(numCells(pictureSubdivision(model.mesh, {}, {10.0, kWholePicture}, &values)),
             3 * 4 * kMostCellsOfPicture * kMostCellsOfPicture);
 }
 
@@ -127,7 +127,7 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatches) {
   ValueTolerance values{Eigen::MatrixXd::Zero(1, mesh.numNodes), 0.01, {0.0, 1.0}};
   values.coefficients(0, mesh.patches[2].nodes[7]) = 1.0;  // one patch needs many cells
   const auto shape =
-      trianglesOf(mesh, pictureSubdivision(mesh, {}, {0.1, kEverything}, &values)).displaced({});
+      trianglesOf(mesh, pictureSubdivision(mesh, {}, {0.1, kWholePicture}, &values)).displaced({});
   const auto border = borderOf(*shape);
   vtkPolyData& edges = *border;
   ASSERT_GT(edges.GetNumberOfPoints(), 0);
@@ -151,7 +151,7 @@ TEST(PictureSubdivision, LeavesNoCracksBetweenPatchesInSpace) {
   ValueTolerance values{Eigen::MatrixXd::Zero(1, mesh.numNodes), 0.01, {0.0, 1.0}};
   values.coefficients(0, mesh.patches[1].nodes[0]) = 1.0;
   for (const double tolerance : {0.1, 0.01}) {
-    const Subdivision cells = pictureSubdivision(mesh, {}, {tolerance, kEverything}, &values);
+    const Subdivision cells = pictureSubdivision(mesh, {}, {tolerance, kWholePicture}, &values);
     const auto shape = trianglesOf(mesh, cells).displaced({});
     EXPECT_EQ(borderOf(*shape)->GetNumberOfCells(), 0);  // the surface is closed
     double worst = 0.0;
