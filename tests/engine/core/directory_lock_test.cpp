@@ -50,7 +50,7 @@ TEST(DirectoryLock, WhatItMadeGoesWithItUnlessSomethingIsThere) {
   const auto made = directory.path() / "out" / "study";
   { const DirectoryLock lock(made, Children::LetGo, "taken"); }
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
-  std::filesystem::create_directory(directory.path() / "out");
+  std::filesystem::create_directories(directory.path() / "out");
   {
     DirectoryLock lock(made, Children::LetGo, "taken");
     const DirectoryLock moved = std::move(lock);
