@@ -17,6 +17,7 @@
 #include "cli/offered_words.h"
 #include "engine/results/history.h"
 #include "engine/results/result_reader.h"
+#include "engine/scene/schema_boundary.h"
 #include "engine/schema/diagnostics.h"
 #include "engine/schema/yaml_tree.h"
 #include "postproc/draw/contour/field_choice.h"
@@ -98,6 +99,19 @@ Candidates bodiesOf(const GivenLine& line) {
   return plain(names);
 }
 
+Candidates toolsOf(const GivenLine& line) {
+  const ResultReader result(line.argument(kResults));
+  std::vector<std::string> names;
+  for (const ToolRecord& tool : result.model().tools) names.push_back(tool.name);
+  return plain(names);
+}
+
+Candidates facesOf(const GivenLine& line) {
+  std::vector<std::string> names = faceNames();
+  names.resize(static_cast<std::size_t>(2 * ResultReader(line.argument(kResults)).model().dim));
+  return plain(names);
+}
+
 Candidates columnsOf(const GivenLine& line) {
   const fs::path run = line.argument(kResults);
   std::error_code status;
@@ -174,6 +188,13 @@ const std::map<std::string, Maker>& makers() {
   return table;
 }
 
+/// Options of names that have no type of their own.
+const std::map<std::string, Candidates (*)(const GivenLine&)>& namesOfOptions() {
+  static const std::map<std::string, Candidates (*)(const GivenLine&)> table{
+      {"--body", bodiesOf}, {"--face", facesOf}, {"--tool", toolsOf}};
+  return table;
+}
+
 /// The type of an option's value, or the name of an argument.
 std::string typeName(const CLI::Option& option) {
   const std::string type = option.get_type_name();
@@ -210,6 +231,9 @@ std::vector<Candidate> valueCandidates(const CLI::App& program, const GivenLine&
   append(out, plain(checkedWords(*line.of)));
   std::string type = typeName(*line.of);
   if (type.ends_with(",...")) type.resize(type.size() - 4);
+  if (const auto maker = namesOfOptions().find(line.of->get_name());
+      maker != namesOfOptions().end() && (type == "TEXT" || type == "NAME"))
+    append(out, maker->second(line));
   const std::vector<std::string> parts = partsOf(type);
   // FILE.csv|pdf: endings of a file's name.
   if (const std::size_t point = parts.front().find('.'); point != std::string::npos) {

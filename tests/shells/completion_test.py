@@ -167,6 +167,9 @@ def check_candidates(program, place, samples, failures):
     expect(["render", "--colormap", ""], ["viridis", "auto"])
     expect(["render", "--undeformed", ""], ["on", "off"])
     expect(["render", "nothing", "--field", ""], [], ["von_mises"])
+    expect(["roughness", run, "--face", ""], ["left", "top"], ["front"])
+    expect(["probe", run, "--face", "t"], ["top"], ["bottom"])
+    expect(["indentation", run, "--tool", ""], ["disc", "plate"])
     expect(["figures", "study.yaml", "--only", ""], ["force", "slip"])
     expect(["figures", "--workflow", ""], ["snakemake"])
     expect(["export", run, "--parts", "body,"], ["body,tools", "body,net"])
@@ -177,6 +180,10 @@ def check_candidates(program, place, samples, failures):
     expect(["explain", "solver."], ["solver.tolerance"])
     expect(["explain", "--study", "figures."], ["figures.kind", "figures.name"])
     expect(["nonsense", ""], [])
+    line = f"burnish render {run} --frame time="
+    printed = subprocess.run([program, "complete", "--line", line], cwd=place, capture_output=True, text=True, check=True).stdout
+    if printed.split("\n") != ["0", "0.25", "0.5", "0.75", "1", ""]:
+        failures.append(f"{line}: found {printed!r}")
     expect(["help", ""], ["run", "validate"], ["complete"])
     if (last := candidates(program, place, "run", "--", "--")) != []:
         failures.append(f"behind -- there are no options: {last}")
