@@ -25,4 +25,11 @@ inline Picture withMark(Picture picture, int i, int j, const Color& color) {
   return picture;
 }
 
+/// A line of one pixel's width and a third of the picture's height, from (i, height / 3) up.
+inline Picture withLine(Picture picture, int i, const Color& color) {
+  for (int y = picture.height / 3; y < 2 * picture.height / 3; ++y)
+    picture.pixels[static_cast<std::size_t>(y * picture.width + i)] = color;
+  return picture;
+}
+
 }  // namespace burnish

@@ -43,6 +43,8 @@ TEST(Baselines, NoiseIsOverlookedAndAMarkIsNoticed) {
     expectOverlooked(withNoise(baseline), baseline, name);
     const int i = baseline.width / 2, j = baseline.height / 2;
     expectNoticed(withMark(baseline, i, j, {40, 40, 40}), baseline, name);
+    const Color black{0, 0, 0};
+    expectNoticed(withLine(baseline, i + 4, black), withLine(baseline, i, black), name + ", a moved line");
     ++count;
   }
   EXPECT_GE(count, 10);
