@@ -16,17 +16,30 @@ struct ForeignFormat {
 };
 
 /// In the order of their endings.
-inline constexpr std::array kForeignFormats{
-    ForeignFormat{".case", "EnSight case"},   ForeignFormat{".cgns", "CGNS file"},
-    ForeignFormat{".e", "Exodus file"},       ForeignFormat{".ex2", "Exodus file"},
-    ForeignFormat{".exo", "Exodus file"},     ForeignFormat{".obj", "OBJ file"},
-    ForeignFormat{".ply", "PLY file"},        ForeignFormat{".pvd", "collection of VTK files"},
-    ForeignFormat{".pvtp", "VTK file"},       ForeignFormat{".pvtu", "VTK file"},
-    ForeignFormat{".stl", "STL file"},        ForeignFormat{".vti", "VTK file"},
-    ForeignFormat{".vtk", "legacy VTK file"}, ForeignFormat{".vtkhdf", "VTKHDF file"},
-    ForeignFormat{".vtm", "VTK file"},        ForeignFormat{".vtp", "VTK file"},
-    ForeignFormat{".vtr", "VTK file"},        ForeignFormat{".vts", "VTK file"},
-    ForeignFormat{".vtu", "VTK file"}};
+inline constexpr std::array kForeignFormats{ForeignFormat{".case", "EnSight case"},
+                                            ForeignFormat{".cgns", "CGNS file"},
+                                            ForeignFormat{".e", "Exodus file"},
+                                            ForeignFormat{".ex2", "Exodus file"},
+                                            ForeignFormat{".exo", "Exodus file"},
+                                            ForeignFormat{".foam", "case of OpenFOAM"},
+                                            ForeignFormat{".obj", "OBJ file"},
+                                            ForeignFormat{".ply", "PLY file"},
+                                            ForeignFormat{".pvd", "collection of VTK files"},
+                                            ForeignFormat{".pvti", "VTK file"},
+                                            ForeignFormat{".pvtp", "VTK file"},
+                                            ForeignFormat{".pvtr", "VTK file"},
+                                            ForeignFormat{".pvts", "VTK file"},
+                                            ForeignFormat{".pvtu", "VTK file"},
+                                            ForeignFormat{".series", "series of VTK files"},
+                                            ForeignFormat{".stl", "STL file"},
+                                            ForeignFormat{".vti", "VTK file"},
+                                            ForeignFormat{".vtk", "legacy VTK file"},
+                                            ForeignFormat{".vtkhdf", "VTKHDF file"},
+                                            ForeignFormat{".vtm", "VTK file"},
+                                            ForeignFormat{".vtp", "VTK file"},
+                                            ForeignFormat{".vtr", "VTK file"},
+                                            ForeignFormat{".vts", "VTK file"},
+                                            ForeignFormat{".vtu", "VTK file"}};
 
 /// In lower case, as some programs write it in capitals.
 inline std::string endingOf(const std::filesystem::path& file) {

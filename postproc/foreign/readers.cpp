@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <json/json.h>
 #include <vtkAbstractArray.h>
 #include <vtkAppendFilter.h>
 #include <vtkCGNSReader.h>
@@ -17,6 +18,7 @@
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenFOAMReader.h>
 #include <vtkOutputWindow.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
@@ -313,6 +315,16 @@ std::unique_ptr<ForeignSource> readEnSight(const fs::path& file) {
   return std::make_unique<ReaderSource>(file, reader, nullptr);
 }
 
+/// The directory that the file lies in: the body itself, with what its cells have.
+std::unique_ptr<ForeignSource> readOpenFoam(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkOpenFOAMReader>::New();
+  reader->SetFileName(fs::absolute(file).c_str());
+  reader->CreateCellToPointOff();
+  reader->SkipZeroTimeOff();
+  reader->DecomposePolyhedraOff();
+  return std::make_unique<ReaderSource>(file, reader, [reader] { reader->EnableAllCellArrays(); });
+}
+
 std::string textIn(vtkXMLDataElement& element, const char* attribute) {
   const char* text = element.GetAttribute(attribute);
   return text ? text : "";
@@ -329,13 +341,14 @@ Error ofPart(const std::string& whole, const Error& error) {
   return Error(fmt::format("{}: {}", whole, error.what()));
 }
 
-/// The files that a `.pvtu` or `.pvtp` file names. VTK's reader of them is silent about damaged ones.
+/// The files that a `.pvtu` file or another one of several pieces names. VTK's readers of them are silent about damaged ones.
 class PieceSource : public ForeignSource {
  public:
   explicit PieceSource(const fs::path& file) : file_(file) {
     const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
-    const char* kind = endingOf(file) == ".pvtu" ? "PUnstructuredGrid" : "PPolyData";
-    vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind) : nullptr;
+    const std::string ending = endingOf(file);
+    const auto* kind = std::ranges::find(kKinds, std::string_view(ending).substr(2), &Kind::ending);
+    vtkXMLDataElement* whole = root ? root->FindNestedElementWithName(kind->element) : nullptr;
     for (int k = 0; whole && k < whole->GetNumberOfNestedElements(); ++k)
       if (vtkXMLDataElement& element = *whole->GetNestedElement(k); textIn(element, "Source") != "")
         pieces_.push_back(file.parent_path() / textIn(element, "Source"));
@@ -357,11 +370,22 @@ class PieceSource : public ForeignSource {
   /// One of the files that another one names, which itself names none.
   static std::unique_ptr<ForeignSource> openPart(const fs::path& file) {
     const std::string ending = endingOf(file);
-    if (ending == ".vtu" || ending == ".vtp") return openFile(file);
-    throw Error(fmt::format("{}: found the ending {}; expected .vtu or .vtp", file.string(), quoted(ending)));
+    const std::string_view kind = std::string_view(ending).substr(ending.empty() ? 0 : 1);
+    if (std::ranges::find(kKinds, kind, &Kind::ending) != kKinds.end()) return openFile(file);
+    throw Error(fmt::format("{}: found the ending {}; expected .vtu, .vtp, .vts, .vtr or .vti", file.string(),
+                            quoted(ending)));
   }
 
  private:
+  /// Behind `.p` and `.`, and the element of XML that holds the pieces.
+  struct Kind {
+    std::string_view ending;
+    const char* element;
+  };
+  static constexpr std::array kKinds{Kind{"vti", "PImageData"}, Kind{"vtp", "PPolyData"},
+                                     Kind{"vtr", "PRectilinearGrid"}, Kind{"vts", "PStructuredGrid"},
+                                     Kind{"vtu", "PUnstructuredGrid"}};
+
   fs::path file_;
   std::vector<fs::path> pieces_;
 };
@@ -376,21 +400,56 @@ double timeIn(const char* text, const fs::path& file) {
   return time;
 }
 
-/// A ParaView collection: files by their times, those of one time in the order of the file.
+/// A file of one time.
+struct Entry {
+  std::string name;
+  fs::path file;
+};
+using EntriesByTime = std::map<double, std::vector<Entry>>;
+
+/// Of a collection of ParaView.
+EntriesByTime entriesOfCollection(const fs::path& file) {
+  const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
+  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
+  EntriesByTime byTime;
+  for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
+    vtkXMLDataElement& element = *collection->GetNestedElement(k);
+    const std::string name = textIn(element, "name"), part = textIn(element, "part");
+    byTime[timeIn(element.GetAttribute("timestep"), file)].push_back(
+        {name.empty() && !part.empty() ? "part " + part : name,
+         file.parent_path() / textIn(element, "file")});
+  }
+  return byTime;
+}
+
+/// Of a `.vtu.series` file and its like, which are JSON: {"files": [{"name": "a.vtu", "time": 0}, ...]}.
+EntriesByTime entriesOfSeries(const fs::path& file) {
+  std::ifstream stream(file);
+  Json::Value root;
+  std::string problem;
+  bool isJson = false;
+  try {
+    isJson = Json::parseFromStream(Json::CharReaderBuilder(), stream, &root, &problem);
+  } catch (const Json::Exception&) {  // too many brackets in one another
+  }
+  if (!isJson || !root.isObject() || !root["files"].isArray())
+    throw Error(fmt::format("{}: found no series of VTK files in it", file.string()));
+  EntriesByTime byTime;
+  for (const Json::Value& entry : root["files"]) {
+    if (!entry.isObject() || !entry["name"].isString() || !entry["time"].isNumeric() ||
+        !std::isfinite(entry["time"].asDouble()))
+      throw Error(fmt::format("{}: an entry of its files has no name or no time", file.string()));
+    byTime[entry["time"].asDouble()].push_back({"", file.parent_path() / entry["name"].asString()});
+  }
+  return byTime;
+}
+
+/// Files by their times, those of one time in the order in which they are named.
 class CollectionSource : public ForeignSource {
  public:
   explicit CollectionSource(const fs::path& file) : file_(file) {
-    const vtkSmartPointer<vtkXMLDataElement> root = rootOf(file);
-    vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-    if (!collection) throw Error(fmt::format("{}: found no collection of VTK files in it", file.string()));
-    std::map<double, std::vector<Entry>> byTime;
-    for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
-      vtkXMLDataElement& element = *collection->GetNestedElement(k);
-      const std::string name = textIn(element, "name"), part = textIn(element, "part");
-      byTime[timeIn(element.GetAttribute("timestep"), file)].push_back(
-          {name.empty() && !part.empty() ? "part " + part : name,
-           file.parent_path() / textIn(element, "file")});
-    }
+    EntriesByTime byTime = endingOf(file) == ".series" ? entriesOfSeries(file) : entriesOfCollection(file);
     if (byTime.empty()) throw Error(fmt::format("{}: the collection is empty", file.string()));
     for (auto& [time, entries] : byTime) {
       times_.push_back(time);
@@ -416,14 +475,10 @@ class CollectionSource : public ForeignSource {
   }
 
  private:
-  struct Entry {
-    std::string name;
-    fs::path file;
-  };
-
   /// What has no times of its own.
   static std::unique_ptr<ForeignSource> openEntry(const fs::path& file) {
-    constexpr std::array kEndings{".vtu", ".vtp", ".vts", ".vtr", ".vti", ".pvtu", ".pvtp", ".vtm", ".vtk"};
+    constexpr std::array kEndings{".vtu",  ".vtp",  ".vts",  ".vtr", ".vti", ".pvtu", ".pvtp",
+                                  ".pvts", ".pvtr", ".pvti", ".vtm", ".vtk", ".stl",  ".ply"};
     const std::string ending = endingOf(file);
     if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return openFile(file);
     throw Error(fmt::format("{}: found the ending {}; expected {}", file.string(), quoted(ending),
@@ -451,11 +506,16 @@ constexpr std::array kOpenings{Opening{".case", readEnSight},
                                Opening{".e", readExodus},
                                Opening{".ex2", readExodus},
                                Opening{".exo", readExodus},
+                               Opening{".foam", readOpenFoam},
                                Opening{".obj", readWith<vtkOBJReader>},
                                Opening{".ply", readWith<vtkPLYReader>},
                                Opening{".pvd", make<CollectionSource>},
+                               Opening{".pvti", make<PieceSource>},
                                Opening{".pvtp", make<PieceSource>},
+                               Opening{".pvtr", make<PieceSource>},
+                               Opening{".pvts", make<PieceSource>},
                                Opening{".pvtu", make<PieceSource>},
+                               Opening{".series", make<CollectionSource>},
                                Opening{".stl", readWith<vtkSTLReader>},
                                Opening{".vti", readXmlWith<vtkXMLImageDataReader>},
                                Opening{".vtk", readLegacy},

@@ -90,7 +90,8 @@ const std::vector<Sample>& samplesOfPrograms() {
 
 /// With further files that they name.
 const std::vector<Sample>& collectionsOfPrograms() {
-  static const std::vector<Sample> all{{"fenicsx.pvd", {28, 18}}, {"openfoam.vtm", {98, 36}}};
+  static const std::vector<Sample> all{
+      {"fenicsx.pvd", {28, 18}}, {"openfoam.vtm", {98, 36}}, {"cavity/cavity.foam", {50, 16}}};
   return all;
 }
 
@@ -153,6 +154,63 @@ TEST_F(ForeignFiles, ASeriesNamesItselfAndTheTimeOfAPartThatCannotBeRead) {
   EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "fenicsx.pvd").blocks(0); }),
               HasSubstr(fmt::format("fenicsx.pvd: t = {}: ", series.times().front())));
   EXPECT_EQ(ForeignFile(dir_ / "fenicsx.pvd").blocks(1).size(), 1U) << "the others can be read";
+}
+
+TEST_F(ForeignFiles, ACaseOfOpenFoamHasWhatItsCellsHaveAtEachTime) {
+  const ForeignFile file(sampleOf("cavity/cavity.foam"));
+  EXPECT_THAT(file.times(), ElementsAre(0.0, 0.1, 0.2));
+  const std::vector<ForeignBlock> blocks = file.blocks(2);
+  ASSERT_EQ(blocks.size(), 1U);
+  EXPECT_EQ(blocks.front().grid->GetPointData()->GetNumberOfArrays(), 0);
+  vtkDataArray* speed = blocks.front().grid->GetCellData()->GetArray("U");
+  ASSERT_NE(speed, nullptr);
+  // The first number of 0.2/U.
+  std::ifstream stream(sampleOf("cavity/0.2/U"));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NEAR(speed->GetComponent(0, 0), std::stod(text.substr(text.find("\n(\n(") + 4)), 1e-7);
+}
+
+/// A series of JSON, as ParaView and others write it beside files of one time each.
+TEST_F(ForeignFiles, ASeriesOfJsonIsOneOfItsFilesByTheirTimes) {
+  for (const char* name : {"meshio.vtu", "dealii.vtu"}) fs::copy_file(sampleOf(name), dir_ / name);
+  const fs::path series = dir_ / "sheet.vtu.series";
+  std::ofstream(series) << R"({"file-series-version": "1.0", "files": [
+    {"name": "dealii.vtu", "time": 1.5}, {"name": "meshio.vtu", "time": 0}]})";
+  const ForeignFile file(series);
+  EXPECT_THAT(file.times(), ElementsAre(0.0, 1.5));
+  EXPECT_EQ(countsIn(file.blocks(0)), (Counts{49, 54}));
+  EXPECT_EQ(countsIn(file.blocks(1)), (Counts{512, 32}));
+  const auto problemOf = [&](const char* text) {
+    std::ofstream(series) << text;
+    return messageOf([&] { ForeignFile(series).blocks(0); });
+  };
+  EXPECT_EQ(problemOf("series"), series.string() + ": found no series of VTK files in it");
+  EXPECT_EQ(problemOf(std::string(5000, '[').c_str()),
+            series.string() + ": found no series of VTK files in it");
+  EXPECT_EQ(problemOf("[1]"), series.string() + ": found no series of VTK files in it");
+  EXPECT_EQ(problemOf(R"({"files": []})"), series.string() + ": the collection is empty");
+  EXPECT_EQ(problemOf(R"({"files": [{"name": "meshio.vtu"}]})"),
+            series.string() + ": an entry of its files has no name or no time");
+  EXPECT_EQ(
+      problemOf(R"({"files": [{"name": "none.vtu", "time": 2}]})"),
+      fmt::format("{}: t = 2: {}: there is no such file", series.string(), (dir_ / "none.vtu").string()));
+}
+
+TEST_F(ForeignFiles, LatticesInPiecesAreReadWhole) {
+  for (int k = 0; k < 2; ++k)
+    std::ofstream(dir_ / fmt::format("half_{}.vti", k)) << fmt::format(
+        R"(<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="{0} {1} 0 1 0 1" Origin="0 0 0" Spacing="1 1 1">
+<Piece Extent="{0} {1} 0 1 0 1"><PointData/><CellData><DataArray type="Float64" Name="h" format="ascii">{0} {1}</DataArray>
+</CellData></Piece></ImageData></VTKFile>)",
+        2 * k, 2 * k + 2);
+  std::ofstream(dir_ / "whole.pvti")
+      << R"(<VTKFile type="PImageData" version="0.1"><PImageData WholeExtent="0 4 0 1 0 1" GhostLevel="0" Origin="0 0 0"
+Spacing="1 1 1"><PCellData><PDataArray type="Float64" Name="h"/></PCellData><Piece Extent="0 2 0 1 0 1" Source="half_0.vti"/>
+<Piece Extent="2 4 0 1 0 1" Source="half_1.vti"/></PImageData></VTKFile>)";
+  const std::vector<ForeignBlock> blocks = ForeignFile(dir_ / "whole.pvti").blocks(0);
+  EXPECT_EQ(countsIn(blocks), (Counts{24, 4}));
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks[1].grid->GetCellData()->GetArray("h")->GetComponent(0, 0), 2.0);
 }
 
 TEST(ForeignFields, HaveNamesOfTheirOwnThatOneCanGive) {
