@@ -159,8 +159,9 @@ TEST_F(RenderCommand, TextsOfOlderResultsAreShownEscapedOrAsBoxes) {
   EXPECT_THAT(burnish("info old").out, HasSubstr("title       a\\x1B[31m\\xFF\n"));
   const Outcome outcome = burnish("render old --size 400,300 -o old.png");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.err,
-            "warning: the font DejaVu Sans has no U+001B; \"a\\x1B[31m\\xFF\" is drawn with a box for it\n");
+  EXPECT_EQ(
+      outcome.err,
+      "warning: neither the font DejaVu Sans nor another one has U+001B; \"a\\x1B[31m\\xFF\" is drawn with a box for it\n");
 }
 
 TEST_F(RenderCommand, DoubtfulResultsAreMarkedUnlessToldOtherwise) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <fontconfig/fontconfig.h>
 #include <freetype/freetype.h>
+#include <fribidi.h>
 
 #include <algorithm>
 #include <cctype>
@@ -153,6 +154,12 @@ bool isMark(char32_t letter) {
   return letter >= 0x300 && letter <= 0x36F;
 }
 
+/// Of the scripts of South and Southeast Asia whose letters join, and change their order.
+bool isOfJoiningScript(char32_t letter) {
+  return (letter >= 0x900 && letter <= 0xDFF) || (letter >= 0xF00 && letter <= 0x109F) ||
+         (letter >= 0x1780 && letter <= 0x17FF);
+}
+
 /// Of the scripts that are written from right to left: Hebrew to Mandaic, and the forms of their letters.
 bool isFromRightToLeft(char32_t letter) {
   return (letter >= 0x590 && letter <= 0x8FF) || (letter >= 0xFB1D && letter <= 0xFDFF) ||
@@ -177,6 +184,68 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   return clusters;
 }
 
+bool hasLettersFromRightToLeft(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [letter, length] = letterAt(text, at);
+    if (isFromRightToLeft(letter)) return true;
+    at += std::max<std::size_t>(1, length);
+  }
+  return false;
+}
+
+/// A text as it is set from left to right: letters in the order and the forms in which they are seen.
+std::string inVisualOrder(const std::string& text) {
+  std::vector<FriBidiChar> letters;
+  for (const Cluster& cluster : clustersOf(text))
+    letters.insert(letters.end(), cluster.letters.begin(), cluster.letters.end());
+  auto count = static_cast<FriBidiStrIndex>(letters.size());
+  std::vector<FriBidiChar> seen(letters.size() + 1);
+  FriBidiParType direction = FRIBIDI_PAR_ON;
+  if (fribidi_log2vis(letters.data(), count, &direction, seen.data(), nullptr, nullptr, nullptr) == 0)
+    return text;
+  count = fribidi_remove_bidi_marks(seen.data(), count, nullptr, nullptr, nullptr);
+  std::vector<char> bytes(4 * letters.size() + 1);
+  fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, seen.data(), count, bytes.data());
+  return bytes.data();
+}
+
+/// The file of an installed font that has a letter; nothing if there is none.
+std::optional<std::string> fileWithLetter(char32_t letter) {
+  const std::unique_ptr<FcCharSet, decltype(&FcCharSetDestroy)> letters(FcCharSetCreate(), FcCharSetDestroy);
+  FcCharSetAddChar(letters.get(), letter);
+  const PatternPtr wanted(FcPatternBuild(nullptr, FC_CHARSET, FcTypeCharSet, letters.get(), FC_SCALABLE,
+                                         FcTypeBool, FcTrue, nullptr),
+                          FcPatternDestroy);
+  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+  FcDefaultSubstitute(wanted.get());
+  FcResult result = FcResultNoMatch;
+  const PatternPtr found(FcFontMatch(nullptr, wanted.get(), &result), FcPatternDestroy);
+  FcChar8* file = nullptr;
+  if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return std::nullopt;
+  return reinterpret_cast<const char*>(file);
+}
+
+/// Another font that has a letter, or null. Fonts that cannot be read are as if they were not there.
+const LoadedFont* fontWithLetter(char32_t letter) {
+  static std::mutex mutex;
+  static std::map<char32_t, const LoadedFont*> known;
+  const std::lock_guard lock(mutex);
+  const auto [entry, isNew] = known.try_emplace(letter, nullptr);
+  if (!isNew) return entry->second;
+  const std::optional<std::string> file = letter > U' ' ? fileWithLetter(letter) : std::nullopt;
+  try {
+    const LoadedFont* font = file ? &loadedFont(*file) : nullptr;
+    if (font != nullptr && font->has(letter)) entry->second = font;
+  } catch (const Error&) {
+  }
+  return entry->second;
+}
+
+/// The font of this name, the default one, or another that has the letter; null: none has it.
+const LoadedFont* fontFor(char32_t letter, const LoadedFont& wanted, const LoadedFont& substitute) {
+  return wanted.has(letter) ? &wanted : substitute.has(letter) ? &substitute : fontWithLetter(letter);
+}
+
 }  // namespace
 
 bool isFontFile(const std::string& name) {
@@ -192,27 +261,31 @@ const Font& fontNamed(const std::string& name) {
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name) {
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
+  const bool isTurned = hasLettersFromRightToLeft(text);
   std::vector<FontPiece> pieces;
-  const auto add = [&](const std::string& part, const LoadedFont& in) {
-    if (pieces.empty() || pieces.back().font != &in.font) pieces.push_back({"", &in.font});
+  const auto add = [&](const std::string& part, const LoadedFont& in, const std::string& letters) {
+    if (pieces.empty() || pieces.back().font != &in.font) pieces.push_back({"", &in.font, ""});
     pieces.back().text += part;
+    if (!isTurned) pieces.back().letters += letters;
   };
-  for (const Cluster& cluster : clustersOf(text)) {
+  for (const Cluster& cluster : clustersOf(isTurned ? inVisualOrder(text) : text)) {
     if (wanted.hasAll(cluster.letters)) {
-      add(cluster.text, wanted);
+      add(cluster.text, wanted, cluster.text);
     } else if (substitute.hasAll(cluster.letters)) {
-      add(cluster.text, substitute);
+      add(cluster.text, substitute, cluster.text);
     } else {  // letter by letter
       std::size_t at = 0;
       for (const char32_t letter : cluster.letters) {
         const std::size_t length = letterAt(cluster.text, at).length;
-        const bool known = wanted.has(letter);
-        add(known || substitute.has(letter) ? cluster.text.substr(at, length) : kBox,
-            known ? wanted : substitute);
+        const std::string written = cluster.text.substr(at, length);
+        const LoadedFont* font = fontFor(letter, wanted, substitute);
+        add(font != nullptr ? written : kBox, font != nullptr ? *font : substitute, written);
         at += length;
       }
     }
   }
+  if (isTurned && !pieces.empty())
+    for (const Cluster& cluster : clustersOf(text)) pieces.front().letters += cluster.text;
   return pieces;
 }
 
@@ -220,22 +293,23 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
   std::set<char32_t> missing;
-  bool isTurned = false;
+  bool joins = false;
   for (const Cluster& cluster : clustersOf(text))
     for (const char32_t letter : cluster.letters) {
-      if (!wanted.has(letter) && !substitute.has(letter)) missing.insert(letter);
-      isTurned = isTurned || isFromRightToLeft(letter);
+      if (fontFor(letter, wanted, substitute) == nullptr) missing.insert(letter);
+      joins = joins || isOfJoiningScript(letter);
     }
-  if (isTurned)
-    noteWarning(fmt::format("{} has letters of a script from right to left, which are set from left to right",
-                            quoted(text)));
+  if (joins)
+    noteWarning(fmt::format(
+        "{} has letters of a script that join beside one another, which are set one by one", quoted(text)));
   if (missing.empty()) return;
   std::vector<std::string> codes;
   for (const char32_t letter : missing)
     codes.push_back(fmt::format("U+{:04X}", static_cast<std::uint32_t>(letter)));
-  const std::string fonts = name == kDefaultFont
-                                ? fmt::format("the font {} has no", name)
-                                : fmt::format("neither the font {} nor {} has", name, kDefaultFont);
+  const std::string fonts =
+      name == kDefaultFont
+          ? fmt::format("neither the font {} nor another one has", name)
+          : fmt::format("neither the font {} nor {} nor another one has", name, kDefaultFont);
   noteWarning(fmt::format("{} {}; {} is drawn with a box for {}", fonts, fmt::join(codes, ", "), quoted(text),
                           codes.size() == 1 ? "it" : "each"));
 }

@@ -24,16 +24,18 @@ const Font& fontNamed(const std::string& name);
 
 /// A part of a text and the font that has its letters.
 struct FontPiece {
-  std::string text;
+  std::string text;  ///< as it is drawn, from left to right
   const Font* font;
+  std::string letters;  ///< as it was written; those of all pieces are the text
 };
 
 /// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
-/// default font; a letter that neither has becomes a box.
+/// default font, or in another one that is installed; a letter that none has becomes a box. Scripts from right to left have the order
+/// and the forms in which they are read (Unicode's bidirectional algorithm).
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
 
 /// To be told of every text that is drawn: one with a box is worth a warning (`noteWarning`), with the letters and the
-/// font.
+/// font, and so is one of a script whose letters would have to change their forms beside one another.
 void noteDrawnText(const std::string& text, const std::string& name);
 
 }  // namespace burnish

@@ -66,15 +66,16 @@ class SvgPainter {
   void operator()(const PageText& text) {
     constexpr std::array anchors{"start", "middle", "end"};
     const std::string at = fmt::format("{},{}", length(text.at.x()), length(height_ - text.at.y()));
+    const std::vector<TextPiece> pieces = textPieces(text.text, text.style);
     text_ += fmt::format(
         "<text transform=\"translate({}){}\" text-anchor=\"{}\" font-family=\"{}\" font-size=\"{}\" "
         "fill=\"{}\" xml:space=\"preserve\">",
         at, text.direction == TextDirection::Up ? " rotate(-90)" : "",
-        anchors[static_cast<std::size_t>(text.anchor)], families(text.style.font), length(text.style.size),
-        Spelling<Color>::write(text.style.color));
+        anchors[static_cast<std::size_t>(text.anchor)], families(text.style.font, pieces),
+        length(text.style.size), Spelling<Color>::write(text.style.color));
     double lift = 0.0;
-    for (const TextPiece& piece : textPieces(text.text, text.style)) {
-      const std::string letters = escaped(piece.piece.text);
+    for (const TextPiece& piece : pieces) {
+      const std::string letters = escaped(piece.piece.letters);
       if (piece.lift == lift && piece.size == text.style.size)
         text_ += letters;
       else
@@ -93,11 +94,13 @@ class SvgPainter {
   }
 
  private:
-  /// The font, that which has the letters it lacks, and any.
-  static std::string families(const std::string& font) {
+  /// The font, those which have the letters it lacks, and any.
+  static std::string families(const std::string& font, const std::vector<TextPiece>& pieces) {
+    std::vector<std::string> families{fontNamed(font).family, kDefaultFont};
+    for (const TextPiece& piece : pieces) families.push_back(piece.piece.font->family);
     std::string names;
     std::set<std::string> known;
-    for (const std::string& family : {fontNamed(font).family, std::string(kDefaultFont)})
+    for (const std::string& family : families)
       if (!family.empty() && known.insert(family).second) names += "'" + family + "', ";
     return escaped(names + "sans-serif");
   }
