@@ -66,7 +66,7 @@ def lay_out(directory):
 
 
 def scenes_of_pictures():
-    """The scene or study of each picture of the gallery, None for those of no scene."""
+    """The scene, study or measured data of each picture of the gallery, None for those of no scene."""
     scenes = {}
     for picture in sorted((SOURCE / "images/gallery").glob("*.png")):
         example = f"scenes/examples/{picture.stem.replace('-', '_')}.yaml"
@@ -79,6 +79,13 @@ def scenes_of_pictures():
                 raise Problem(f"docs/site/gallery.yaml: {scene}: there is no picture images/gallery/{name}.png")
             scenes[name] = scene
     return scenes
+
+
+def kind_of(scene):
+    """What a file is that a picture is of, its language and the command that computes it."""
+    if scene.endswith(".csv"):
+        return "data", "text", None
+    return ("study", "yaml", "figures") if "\nruns:" in (SOURCE / scene).read_text("utf-8") else ("scene", "yaml", "run")
 
 
 def write_gallery(directory):
@@ -103,12 +110,13 @@ def write_gallery(directory):
                      f'alt="{html.escape(caption)}"></a><figcaption>{html.escape(title)}</figcaption></figure>')
         text = f"# {title}\n\n![{caption}](../images/gallery/{name}.png)\n\n{caption.rstrip('.')}. More: {link}.\n"
         if scene:
-            command = "figures" if "\nruns:" in (SOURCE / scene).read_text("utf-8") else "run"
-            text += (f"\n## Its {'study' if command == 'figures' else 'scene'}\n\n    burnish {command} {scene}\n\n"
-                     f"```{{literalinclude}} ../{scene}\n:language: yaml\n:class: scene\n```\n")
+            kind, language, command = kind_of(scene)
+            text += f"\n## Its {kind}\n\n" + (f"    burnish {command} {scene}\n\n" if command else "")
+            text += f"```{{literalinclude}} ../{scene}\n:language: {language}\n:class: scene\n```\n"
         (directory / "gallery" / f"{name}.md").write_text("---\norphan: true\n---\n\n" + text, "utf-8")
     (directory / "gallery/index.md").write_text(
-        "# Gallery\n\nEach picture leads to the scene that it is of. All are drawn by burnish.\n\n"
+        "# Gallery\n\nEach picture leads to the page that tells of it and, where it is of one, to its scene, study or data. All are drawn "
+        "by burnish; in three, those of F3D and ParaView stand beside.\n\n"
         "```{raw} html\n<div class=\"gallery\">\n" + "\n".join(cards) + "\n</div>\n```\n", "utf-8")
 
 

@@ -247,6 +247,18 @@ def check_contact(browser, facts):
     facts.holds("another field is seen on the body", browser.picture().differs(seen) > 0.05)
 
 
+def check_narrow(browser, facts):
+    """On a narrow screen the scale lies below the body, as wide as the screen, and its numbers stand in their order below it."""
+    browser.call("Emulation.setDeviceMetricsOverride", width=420, height=800, deviceScaleFactor=1, mobile=True)
+    box = "(({left, top, right, bottom}) => [left, top, right, bottom])(%s.getBoundingClientRect())"
+    left, top, right, bottom = browser.value(box % "byId('colors')")
+    facts.holds(f"the bar lies ({right - left:g} x {bottom - top:g})", right - left > 300 and bottom - top < 30)
+    marks = browser.value(f"[...byId('ticks').children].map((mark) => {box % 'mark'})")
+    facts.holds("numbers stand below the bar", all(bottom < mark[1] and -1 <= mark[0] and mark[2] <= 421 for mark in marks))
+    facts.holds("numbers grow to the right", marks == sorted(marks))
+    facts.holds("the scale leaves the room to the body", browser.value("byId('scale').offsetHeight") < 90)
+
+
 def main():
     burnish, chromium = sys.argv[1:]
     if not os.path.exists(chromium):
@@ -267,6 +279,7 @@ def main():
                 facts.holds("the page has the paper of its theme", browser.picture().at(0, 0) == bytes((0x18, 0x1a, 0x1f)))
                 facts.holds("all of it", browser.value("getComputedStyle(document.body).backgroundColor") == "rgb(24, 26, 31)")
                 check(browser, facts)
+            check_narrow(browser, facts)
             facts.holds(f"the console is empty: {browser.messages}", not browser.messages)
         finally:
             browser.close()

@@ -2,8 +2,9 @@
 shows of them.
 
 Run are all blocks of ```sh, indented blocks behind <!-- run -->, and what stands in a comment <!-- run: COMMAND -->, which prepares
-something that a page takes for granted. A block of ```text behind one holds lines that it prints; a block behind <!-- file: NAME --> is
-saved as NAME first. A picture of docs/images/tutorial is compared with the file of the same name that the commands have drawn.
+something that a page takes for granted. Of indented blocks behind <!-- validate: WHY NOT RUN --> the scenes and their changes are checked,
+and those behind <!-- not run: WHY --> are left out. A block of ```text behind one holds lines that it prints; a block behind <!-- file:
+NAME --> is saved as NAME first. A picture of docs/images/tutorial is compared with the file of the same name that the commands have drawn.
 
 Usage: page_commands_test.py BURNISH PAGE [--write]     --write: makes the pictures anew; look at them before they are committed
 """
@@ -23,6 +24,7 @@ from png_picture import Picture  # noqa: E402
 BLOCK = re.compile(
     r"^<!-- run: (?P<prepares>[^\n]*) -->$"
     r"|^<!-- run -->\n\n(?P<indented>(?:    [^\n]*\n)+)"
+    r"|^<!-- validate: [^\n]* -->\n\n(?P<validated>(?:    [^\n]*\n)+)"
     r"|(?:^<!-- file: (?P<file>\S+) -->\n)?^```(?P<kind>sh|text|yaml)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 PICTURE = re.compile(r"\]\((?P<place>[\w./-]*images/tutorial/(?P<name>[\w-]+\.png))\)")
 
@@ -35,6 +37,8 @@ def problems_of_blocks(page, directory, environment):
     printed = ""
     for block in BLOCK.finditer(page):
         commands = block["prepares"] or block["indented"] or (block["text"] if block["kind"] == "sh" else None)
+        if block["validated"]:
+            commands = re.sub(r" -o \S+", "", block["validated"].replace("burnish run", "burnish validate"))
         if block["file"]:
             (directory / block["file"]).write_text(block["text"])
         elif commands:

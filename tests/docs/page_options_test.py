@@ -1,4 +1,5 @@
-"""Every command of burnish on any page, in a block or between backticks, is one that there is, and has the options that stand behind it.
+"""Every command of burnish on any page, in a block or between backticks, is one that there is, and has the options that stand behind it;
+those that are complete, without anything that a reader has to fill in, are run by page_commands_test.py or say why not.
 
 Usage: page_options_test.py BURNISH
 """
@@ -11,6 +12,8 @@ import sys
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BLOCKS = re.compile(r"^```\w*\n(.*?)^```$|((?:^    [^\n]*\n)+)|`(burnish [^`]+)`", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"(?:^|[\s`/\"'(])burnish ((?:-\w |--\w+ )*)([a-z]+)\b(.*)")
+MARKED = re.compile(r"^(<!-- (?:run|(?:validate|not run): [^\n]*) -->\n)?\n((?:    [^\n]*\n)+)", re.MULTILINE)
+WHOLE = re.compile(r" +(?:\$ |mpirun .*|\S*/)?burnish [a-z]")
 
 
 def commands_on(text):
@@ -28,13 +31,25 @@ def commands_on(text):
                     yield found[2], re.findall(r"(?<![\w-])--[a-z][\w-]*", found[3])
 
 
+def unmarked_on(text):
+    """Complete commands, without dots, brackets and words in capitals, of indented blocks that are not marked."""
+    for mark, block in MARKED.findall(text):
+        for line in () if mark else block.splitlines():
+            line = re.sub(r"'[^']*'|\"[^\"]*\"|\s#\s.*", "", line)
+            if WHOLE.match(line) and not re.search(r"\.\.\.|[|\[]|\b[A-Z]{2,}\b", line):
+                yield line.strip()
+
+
 def main():
     burnish = sys.argv[1]
     known = {}
     wrong = []
     count = 0
     for page in [SOURCE / "README.md", *sorted(SOURCE.glob("docs/**/*.md"))]:
-        for command, options in commands_on(page.read_text("utf-8")):
+        text = page.read_text("utf-8")
+        wrong += [f"{page.relative_to(SOURCE)}: {line}: put <!-- run -->, <!-- validate: WHY NOT RUN --> or <!-- not run: WHY --> before "
+                  "its block, as page_commands_test.py says" for line in unmarked_on(text)]
+        for command, options in commands_on(text):
             if command not in known:
                 done = subprocess.run([burnish, command, "--help"], capture_output=True, text=True)
                 known[command] = set(re.findall(r"--[a-z][\w-]*", done.stdout)) if done.returncode == 0 else None

@@ -9,6 +9,7 @@ import json
 import os
 import pkgutil
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -91,6 +92,12 @@ def test_examples_of_the_page(tmp_path, monkeypatch):
         expected = [line[3:] for line in block.splitlines() if line.startswith("#> ")]
         printed, _ = executed(block, names)
         assert printed.splitlines() == expected, block
+
+
+def test_command_on_the_page(pressed):
+    command, = re.findall(r"^    python3 (-c .*)$", PAGE, re.MULTILINE)
+    done = subprocess.run([sys.executable, *shlex.split(command)], cwd=pressed, check=True, capture_output=True, text=True)
+    assert "von_mises" in done.stdout
 
 
 def test_example_of_a_test_on_the_page(tmp_path):
