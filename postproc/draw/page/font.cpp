@@ -68,15 +68,20 @@ std::vector<std::string> installedFamilies() {
   return {families.begin(), families.end()};
 }
 
+/// What fontconfig gives for a pattern; null for nothing.
+PatternPtr matchOf(FcPattern& wanted) {
+  FcConfigSubstitute(nullptr, &wanted, FcMatchPattern);
+  FcDefaultSubstitute(&wanted);
+  FcResult result = FcResultNoMatch;
+  return {FcFontMatch(nullptr, &wanted, &result), FcPatternDestroy};
+}
+
 /// File of a family's regular style; nothing if fontconfig would give another family in its place.
 std::optional<std::string> fileOfFamily(const std::string& family) {
   const PatternPtr wanted(FcPatternBuild(nullptr, FC_FAMILY, FcTypeString, family.c_str(), FC_SCALABLE,
                                          FcTypeBool, FcTrue, nullptr),
                           FcPatternDestroy);
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
-  FcResult result = FcResultNoMatch;
-  const PatternPtr found(FcFontMatch(nullptr, wanted.get(), &result), FcPatternDestroy);
+  const PatternPtr found = matchOf(*wanted);
   if (!found) return std::nullopt;
   const std::vector<std::string> families = familiesOf(found.get());
   const bool same = std::any_of(families.begin(), families.end(),
@@ -216,10 +221,7 @@ std::optional<std::string> fileWithLetter(char32_t letter) {
   const PatternPtr wanted(FcPatternBuild(nullptr, FC_CHARSET, FcTypeCharSet, letters.get(), FC_SCALABLE,
                                          FcTypeBool, FcTrue, nullptr),
                           FcPatternDestroy);
-  FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-  FcDefaultSubstitute(wanted.get());
-  FcResult result = FcResultNoMatch;
-  const PatternPtr found(FcFontMatch(nullptr, wanted.get(), &result), FcPatternDestroy);
+  const PatternPtr found = matchOf(*wanted);
   FcChar8* file = nullptr;
   if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &file) != FcResultMatch) return std::nullopt;
   return reinterpret_cast<const char*>(file);
