@@ -728,7 +728,8 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
                const Make& make) {
   check(options, model.dim);
   return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
-    const FieldChoice field = chooseField(shown, its, options.field);
+    FieldChoice field = chooseField(shown, its, options.field);
+    dropRounding(field, options.largest);
     const ContourParts parts = contourParts(shown, its, field, options);
     const FieldRange ranges = fieldRanges(shown, its, field, subdivisionOf(shown, options), options.clip);
     ContourSubject subject{
