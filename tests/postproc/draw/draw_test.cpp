@@ -237,6 +237,25 @@ TEST(ScalarBars, OtherRangesHaveTheirOwnPowersOfTen) {
   EXPECT_EQ(depth({{0.0, 1e-19}, {0.0, 0.1314}, {0.2, 0.2}, {0.0, 0.0}}), depth({}));
 }
 
+/// A given end that no value is at is no value: its number stands there, instead of a mark next to it.
+TEST(ScalarBars, EndsThatNoValueIsAtHaveTheirNumbers) {
+  const auto labels = [](const std::array<double, 2>& range, double largest,
+                         const std::vector<std::array<double, 2>>& together) {
+    return ScalarBar(
+               ColorScale("viridis", range, 0),
+               {.title = {{"field"}}, .unit = "", .smallest = 0.0, .largest = largest, .together = together},
+               12.0, Theme{})
+        .marks()
+        .labels;
+  };
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.1314, {}).back(), "0.2298");
+  EXPECT_THAT(labels({0.0, 0.2298}, 0.1314, {}), testing::Not(testing::Contains("0.225")));
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.2298, {}).back(), "0.225") << "max tells it";
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.2298, {{0.0, 0.1314}}).back(), "0.2298") << "as in the others";
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.3, {}).back(), "0.225") << "the arrow tells it";
+  EXPECT_EQ(labels({0.0, 3.0}, 0.4, {}), labels({0.0, 3.0}, 3.0, {}));
+}
+
 /// With as many digits as tell them from one another.
 TEST(ScalarBars, EndsOfNarrowRangesAreTold) {
   const auto ends = [](double smallest, double largest) {
@@ -270,6 +289,25 @@ TEST(SharedViews, RangesOfOtherUnitsAreRefused) {
             "range: found values in MPa and in kPa, which cannot have one range of colours; "
             "take frame, which gives each its own");
   EXPECT_THAT(message("", "kPa"), HasSubstr("found values without a unit and in kPa"));
+}
+
+TEST(SharedViews, ValuesThatAreRoundingBesideOthersAreZero) {
+  ContourOptions options;
+  shareView(options, {0, 1}, {0, 1}, [&](int k, bool, bool) {
+    FrameView view{std::array{0.0, 0.5}, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}};
+    view.extremes = k == 0 ? std::array{-1e-16, 3e-16} : std::array{0.0, 0.5};
+    return view;
+  });
+  EXPECT_EQ(options.largest, 0.5);
+  EXPECT_EQ(options.room->extremes.front(), (std::array{0.0, 0.0}));
+  FieldChoice noise;
+  noise.coefficients = Eigen::MatrixXd::Constant(1, 4, 3e-16);
+  FieldChoice small = noise;
+  small.coefficients *= 1e4;
+  dropRounding(noise, options.largest);
+  dropRounding(small, options.largest);
+  EXPECT_EQ(magnitudeOf(noise), 0.0);
+  EXPECT_DOUBLE_EQ(magnitudeOf(small), 3e-12);
 }
 
 TEST(PlaceMarks, MoveToTheFirstImageThatIsSeen) {
