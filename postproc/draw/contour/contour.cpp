@@ -480,6 +480,7 @@ class ContourPicture {
     Layer layer;
     double opacity = 1.0;
     bool isDots = false;  ///< its points alone, as wide as this
+    double lift = 0.0;    ///< towards the eye beside that of the layer, in lengths of the bodies
   };
 
   /// From the back to the front, without tools.
@@ -505,15 +506,24 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
-    // In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn.
-    if (parts_.undeformed)
-      all.push_back({isFlat() ? parts_.undeformed : movedLines(*parts_.undeformed, view, 1.5 * line),
-                     theme_.undeformed, 0.8 * line, kUndeformed});
+    if (parts_.undeformed) all.push_back(undeformedLines(view));
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
         all.push_back({silhouetteOf(*part, view), theme_.outline, line, kBodyOutline});
     return all;
+  }
+
+  /// In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn, and
+  /// one that has moved lies over faces that have bulged a little since, which would leave fragments of it.
+  SpaceLines undeformedLines(const View& view) const {
+    constexpr double kOverFaces = 0.016;
+    const double line = lineWidth();
+    SpaceLines lines{parts_.undeformed, theme_.undeformed, 0.8 * line, kUndeformed};
+    if (isFlat() || !hasMotion(*parts_.undeformed)) return lines;
+    lines.lines = movedLines(*parts_.undeformed, view, 1.5 * line);
+    lines.lift = kOverFaces;
+    return lines;
   }
 
   SpaceLines toolLines(const ToolDrawing& drawing) const {
@@ -532,9 +542,10 @@ class ContourPicture {
     const auto addLines = [&](const SpaceLines& part) {
       if (what == Shown::Areas) return;
       const double width = scale * part.width;
-      add(part.isDots ? pointActor(*part.lines, part.color, width)
-                      : lineActor(*part.lines, part.color, width, part.opacity),
-          part.layer);
+      addLifted(renderer,
+                part.isDots ? pointActor(*part.lines, part.color, width)
+                            : lineActor(*part.lines, part.color, width, part.opacity),
+                view, liftOf(part.layer, view) + part.lift * lengthOf(parts_));
     };
     if (!isOfContact() || !isFlat() || what == Shown::Everything) {
       const auto colored = contourActor(*body_.with, plan.scale, !isFlat());

@@ -490,6 +490,30 @@ TEST_F(SpaceImage, SignsOfExtremesLeaveTheScaleAsItIs) {
   }
 }
 
+/// The front has bulged towards the eye by some hundredths, and the edge along its top has gone up.
+TEST_F(SpaceImage, UndeformedEdgesOverABulgingFaceAreWhole) {
+  Sample sample = samples::cube();
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  for (Eigen::Index k = 0; k < points.cols(); ++k) {
+    sample.frame.displacement(1, k) = 0.3 * points(1, k);
+    sample.frame.displacement(2, k) = 0.12 * points(0, k) * (1.0 - points(0, k)) * points(2, k);
+  }
+  ContourOptions options = small("pressure");
+  options.tools = options.occlusion = false;
+  options.undeformed = false;
+  const Picture without = drawn(sample, options);
+  options.undeformed = true;
+  const Picture with = drawn(sample, options);
+  for (double x = 0.05; x < 0.96; x += 0.01) {
+    const Eigen::Vector2d pixel = view.pixel(Eigen::Vector3d(x, 1.0, 1.0));
+    int most = 0;
+    for (double dy = -2.0; dy <= 2.0; ++dy)
+      most = std::max(most, difference(with.at(pixel + Eigen::Vector2d(0.0, dy)),
+                                       without.at(pixel + Eigen::Vector2d(0.0, dy))));
+    EXPECT_GT(most, 12) << x;
+  }
+}
+
 /// Edges before and after: a wavy one is drawn from where it leaves itself to where it meets itself again, in one piece; one that has
 /// moved little is not drawn at all.
 TEST(MovedLines, AreDrawnInOnePiece) {
