@@ -48,6 +48,7 @@
 #include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
+#include "postproc/mesh/poly_builder.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 #include "postproc/text/ticks.h"
 
@@ -59,6 +60,8 @@ constexpr double kFaceWidth = 6.0;
 
 /// Width of the edges of arrows, over that of outlines.
 constexpr double kArrowEdge = 0.5;
+
+constexpr double kBreakWidth = 0.7;  // of a line where a tool is cut off, over that of outlines
 
 constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
@@ -176,7 +179,7 @@ class ContourPicture {
     else
       shapes.emplace_back(PageImage{
           area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
-    for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
+    for (const PageSketch& over : {spaceLines(plan), texts(plan)})
       shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
     return {std::move(page), view};
   }
@@ -347,7 +350,7 @@ class ContourPicture {
     vtkNew<vtkRenderer> paper;
     vtkNew<PeelingRenderer> space;
     addLayers(canvas, background, *paper, *space, layout.view, size_);
-    paint(texts(layout, plan.bar), *paper, canvas.supersampling());
+    paint(texts(plan), *paper, canvas.supersampling());
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
     aim(*space, layout.view, size_, eyeDistance());
     return canvas.capture();
@@ -433,7 +436,9 @@ class ContourPicture {
   }
 
   /// All that is no picture of space: texts, the colour scale, the frame, the axes.
-  PageSketch texts(const ContourLayout& layout, const ScalarBar& bar) const {
+  PageSketch texts(const Plan& plan) const {
+    const ContourLayout& layout = plan.layout;
+    const ScalarBar& bar = plan.bar;
     PageSketch sketch;
     Overlay overlay(sketch);
     if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
@@ -449,6 +454,8 @@ class ContourPicture {
     FlatShapes shapes(sketch);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody_) drawFrame(shapes, layout.view.area);
+    for (const std::vector<Eigen::Vector2d>& line : toolBreaks(plan))
+      shapes.addPolyline(line, kBreakWidth * lineWidth(), theme_.outline);
     if (options_.scaleBar)
       drawScaleBar(shapes, overlay, layout.view, layout.scaleBarAt, subject_.lengthUnit, textSize_, theme_);
     if (options_.lengthAxes)
@@ -530,6 +537,30 @@ class ContourPicture {
     return {drawing.lines, theme_.outline, 1.2 * lineWidth(), kToolLines};
   }
 
+  /// Where a plane picture ends within a tool, in pixels; none where a frame says it.
+  std::vector<std::vector<Eigen::Vector2d>> toolBreaks(const Plan& plan) const {
+    constexpr double kZigzag = 1.0;  // of the text
+    if (!isFlat() || cutsBody_) return {};
+    return breakLines(plan.tools, plan.layout.view, kZigzag * textSize_);
+  }
+
+  /// Their halves over the areas of the tools.
+  void drawToolBreaks(vtkRenderer& renderer, double scale, const Plan& plan) const {
+    const View& view = plan.layout.view;
+    const double depth = view.towardsEye().dot(parts_.box.center());
+    PolyBuilder builder;
+    for (const std::vector<Eigen::Vector2d>& line : toolBreaks(plan)) {
+      Eigen::Matrix3Xd points(3, std::ssize(line));
+      for (std::size_t k = 0; k < line.size(); ++k)
+        points.col(static_cast<Eigen::Index>(k)) =
+            view.axes.transpose() * (view.center + (line[k] - view.area.center()) / view.pixelsPerLength) +
+            depth * view.towardsEye();
+      builder.addLine(builder.addPoints(points));
+    }
+    addLifted(renderer, lineActor(*builder.finish(), theme_.outline, kBreakWidth * scale * lineWidth(), 1.0),
+              view, liftOf(kToolLines, view));
+  }
+
   /// What of space is drawn: of a plane picture its areas alone, where lines become vectors.
   enum class Shown { Everything, Areas };
 
@@ -576,6 +607,7 @@ class ContourPicture {
     }
     peelTools(renderer, plan);
     if (what == Shown::Areas) return;
+    if (isFlat()) drawToolBreaks(renderer, scale, plan);
     if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
       const double dash = kDash * textSize_;
       const auto addHidden = [&](vtkPolyData& lines, double width) {

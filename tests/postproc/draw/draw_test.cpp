@@ -22,12 +22,14 @@
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/place_marks.h"
+#include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/color_name.h"
 #include "postproc/draw/page/color_scale.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/theme.h"
+#include "postproc/mesh/poly_builder.h"
 #include "postproc/text/ticks.h"
 #include "tests/message_of.h"
 
@@ -308,6 +310,35 @@ TEST(SharedViews, ValuesThatAreRoundingBesideOthersAreZero) {
   dropRounding(small, options.largest);
   EXPECT_EQ(magnitudeOf(noise), 0.0);
   EXPECT_DOUBLE_EQ(magnitudeOf(small), 3e-12);
+}
+
+TEST(BreakLines, StandWhereToolsAreCutOff) {
+  View view;
+  view.axes << 1, 0, 0, 0, 1, 0;
+  view.pixelsPerLength = 10.0;
+  view.area = {100.0, 50.0, 200.0, 100.0};  // shows x from -10 to 10, y from -5 to 5
+  const auto linesOf = [&](const Eigen::Matrix3Xd& corners,
+                           const std::vector<std::vector<vtkIdType>>& cells) {
+    PolyBuilder builder;
+    builder.addPoints(corners);
+    for (const std::vector<vtkIdType>& cell : cells) builder.addPolygon(cell);
+    return breakLines({ToolDrawing{builder.finish(), nullptr, nullptr}}, view, 10.0);
+  };
+  Eigen::Matrix3Xd corners = Eigen::Matrix3Xd::Zero(3, 4);
+  corners.row(0) << -2, 8, 8, -2;
+  corners.row(1) << 1, 1, 9, 9;
+  for (const auto& cells : {std::vector<std::vector<vtkIdType>>{{0, 1, 2, 3}}, {{0, 1, 2}, {0, 2, 3}}}) {
+    const auto lines = linesOf(corners, cells);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines.front().front().isApprox(Eigen::Vector2d(180.0, 150.0)));
+    EXPECT_TRUE(lines.front().back().isApprox(Eigen::Vector2d(280.0, 150.0)));
+    EXPECT_EQ(lines.front().size(), 6U) << "a zigzag in the middle";
+  }
+  corners.row(0) << -12, -8, -8, -12;  // in a corner: along two sides
+  EXPECT_EQ(linesOf(corners, {{0, 1, 2, 3}}).size(), 2U);
+  corners.row(1) << 1, 1, 4, 4;
+  corners.row(0) << -2, 8, 8, -2;
+  EXPECT_TRUE(linesOf(corners, {{0, 1, 2, 3}}).empty());
 }
 
 TEST(PlaceMarks, MoveToTheFirstImageThatIsSeen) {
