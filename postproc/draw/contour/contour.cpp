@@ -265,6 +265,7 @@ class ContourPicture {
     // Surfaces of equal value lie within one another, where little of the sky is seen: all would be dark.
     occlusion.setSky(!options_.isosurfaces);
     shadow_ = occlusion.groundShadow();
+    if (shadow_ && !cutsBody_) fadeAtBorder(*shadow_, wholePicture(plan.layout.view, size_));
   }
 
   /// What `draw` draws on a paper, or without paper.
@@ -682,7 +683,7 @@ class ContourPicture {
   /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
   /// through what is before them, and tools and faces in contact lie over the bodies in whose surface they are.
   double liftOf(Layer layer, const View& view) const {
-    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004, kLiftOfFaces = 0.008;
+    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.01, kLiftOfFaces = 0.014;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
     double part = 0.0;

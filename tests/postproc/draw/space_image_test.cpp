@@ -514,6 +514,39 @@ TEST_F(SpaceImage, UndeformedEdgesOverABulgingFaceAreWhole) {
   }
 }
 
+/// What is symmetric about the middle of the picture looks so.
+TEST_F(SpaceImage, LeftAndRightAreLitAlike) {
+  Sample sample = samples::cube();
+  sample.frame.displacement *= 0.0;
+  sample.model.tools = {{"ball", Sphere{{0.5, 1.6, 0.5}, 0.5}}};
+  ContourOptions options = small("pressure");
+  options.undeformed = options.occlusion = false;
+  options.toolOpacity = 1.0;
+  options.view.name = "0,0.5,1";
+  const Picture picture = drawn(sample, options);
+  for (const double x : {0.1, 0.2, 0.35})
+    for (const double y : {1.4, 1.6, 1.9}) {
+      const double depth = 0.5 + std::sqrt(0.25 - x * x - std::pow(y - 1.6, 2));
+      const auto at = [&](double side) {
+        return picture.at(view.pixel(Eigen::Vector3d(0.5 + side * x, y, depth)));
+      };
+      EXPECT_LE(difference(at(-1.0), at(1.0)), 1) << x << " " << y;
+    }
+}
+
+/// On a white page the edge of a picture whose corners are grey would be seen.
+TEST_F(SpaceImage, ShadowsEndBeforeTheBorderOfThePicture) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.size = {300, 200};
+  options.tools = options.undeformed = options.colorScale = false;
+  const Picture picture = drawn(sample, options);
+  for (int x = 0; x < 300; ++x)
+    for (const double y : {0.5, 199.5}) EXPECT_EQ(picture.at({x + 0.5, y}), options.theme.paper) << x;
+  for (int y = 0; y < 200; ++y)
+    for (const double x : {0.5, 299.5}) EXPECT_EQ(picture.at({x, y + 0.5}), options.theme.paper) << y;
+}
+
 /// Edges before and after: a wavy one is drawn from where it leaves itself to where it meets itself again, in one piece; one that has
 /// moved little is not drawn at all.
 TEST(MovedLines, AreDrawnInOnePiece) {
