@@ -81,7 +81,10 @@ int frameIndex(const std::string& text, const std::vector<double>& times) {
   return frameIndexOf(text, times, "", {"last", "end", "time="});
 }
 
-std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times) {
+namespace {
+
+/// One frame, or several that follow one another.
+std::vector<int> framesInARow(const std::string& text, const std::vector<double>& times) {
   std::string first = text, last = text;
   const std::size_t dash = text.starts_with("time=") ? text.find("-time=") : text.find('-', 1);
   if (text == "all") {
@@ -92,12 +95,31 @@ std::vector<int> frameIndices(const std::string& text, const std::vector<double>
     last = text.substr(dash + 1);
   }
   const auto index = [&](const std::string& one) {
-    return frameIndexOf(one, times, "; or for several A-B, all", {"last", "end", "all", "time="});
+    return frameIndexOf(one, times, "; or for several A-B, all, or a list with commas",
+                        {"last", "end", "all", "time="});
   };
   const int begin = index(first), end = index(last);
   if (begin > end) throw Error(fmt::format("--frame: found \"{}\"; expected the smaller number first", text));
   std::vector<int> indices(static_cast<std::size_t>(end - begin + 1));
   std::iota(indices.begin(), indices.end(), begin);
+  return indices;
+}
+
+}  // namespace
+
+std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times) {
+  std::vector<int> indices;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    for (const int index : framesInARow(text.substr(begin, end - begin), times)) {
+      if (!indices.empty() && index <= indices.back())
+        throw Error(fmt::format(
+            "--frame: found \"{}\"; expected every frame once, in the order of their times", text));
+      indices.push_back(index);
+    }
+    begin = end + 1;
+  }
   return indices;
 }
 

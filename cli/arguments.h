@@ -35,7 +35,7 @@ inline std::string cannotBeShown(const std::string& text) {
 /// `N`, `last`, `end` or `time=T` as an index into the frames with these times.
 int frameIndex(const std::string& text, const std::vector<double>& times);
 
-/// The same, or `A-B` or `all`: indices in ascending order.
+/// The same, or `A-B` or `all`, or several of these with commas between them: indices in ascending order.
 std::vector<int> frameIndices(const std::string& text, const std::vector<double>& times);
 
 /// The names of pictures of these frames: in the pattern {frame} and {time} are replaced by index and time of

@@ -79,9 +79,11 @@ void addPictureArguments(CLI::App& command, PictureArguments& arguments) {
 
 void addFieldArguments(CLI::App& command, PictureArguments& arguments) {
   command
-      .add_option("--frame", arguments.frame,
-                  fmt::format("Number of the frame, last or end, or time=T; for several A-B or all [{}]",
-                              arguments.frame))
+      .add_option(
+          "--frame", arguments.frame,
+          fmt::format(
+              "Number of the frame, last or end, or time=T; for several A-B, all, or a list with commas [{}]",
+              arguments.frame))
       ->type_name("N|A-B|all|last|time=T");
   command
       .add_option("--field", arguments.field,

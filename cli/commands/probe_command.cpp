@@ -62,8 +62,9 @@ void addProbeOptions(CLI::App& command, ProbeArguments& arguments) {
                   "Directories of runs, the result files in them, or files of other programs")
       ->required();
   command
-      .add_option("--frame", arguments.frame,
-                  "Number of the frame, last or end, or time=T; for several A-B or all [last, over time all]")
+      .add_option(
+          "--frame", arguments.frame,
+          "Number of the frame, last or end, or time=T; for several A-B, all, or a list with commas [last, over time all]")
       ->type_name("N|A-B|all|last|time=T");
   arguments.probe.addTo(command, AnyProbeSpec{});
   command

@@ -377,7 +377,7 @@ void addRoughnessCommand(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--frame", arguments->frame,
-                   "Number of the frame, last or end, or time=T; for several A-B or all")
+                   "Number of the frame, last or end, or time=T; for several A-B, all, or a list with commas")
       ->type_name("N|A-B|all|last|time=T")
       ->capture_default_str();
   arguments->face.addTo(*command, RoughnessSpec{});

@@ -16,9 +16,10 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/same_time.h"
-#include "engine/results/result_reader.h"
 #include "engine/schema/leaf.h"
+#include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour.h"
+#include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/probe/depth_numbers.h"
 #include "postproc/probe/probed_run.h"
@@ -52,6 +53,15 @@ std::string probeCommand(const SceneProbe& probe, const fs::path& directory, con
     frames = fmt::format(" --frame time={}-time={}", probe.times.front(), probe.times.back());
   return fmt::format("burnish probe {}{}{} -o {}", shellWord(directory.string()),
                      optionsText(static_cast<const ProbeSpec&>(probe)), frames, shellWord(file.string()));
+}
+
+/// The options with what pictures of several frames have in common.
+ContourOptions withSharedView(const ContourOptions& own, const ResultReader& result,
+                              const std::vector<int>& frames) {
+  if (frames.size() == 1) return own;
+  ContourOptions shared = withCommonView(own, result, frames, frames);
+  if (own.clip && shared.range) shared.note = clipNote(*own.clip, result.model().dim);
+  return shared;
 }
 
 }  // namespace
@@ -132,16 +142,10 @@ void RunOutputs::onFrame(const ModelRecord&, const FrameRecord& frame) {
   lastFrame_ = frame;
 }
 
-bool RunOutputs::isDue(double time) const {
-  return std::ranges::any_of(document_.pictures, [time](const ScenePicture& picture) {
-    return std::ranges::any_of(picture.times, [time](double wanted) { return isSameTime(time, wanted); });
-  });
-}
-
 void RunOutputs::drawDue(const FrameRecord& frame) {
   for (const ScenePicture& picture : document_.pictures)
     for (const double time : picture.times)
-      if (isSameTime(frame.time, time)) draw(picture, time, frame);
+      if (isSameTime(frame.time, time)) draw(picture, time, frame, [&] { return ContourOptions(picture); });
 }
 
 ContourOptions RunOutputs::marked(const ScenePicture& picture) const {
@@ -150,23 +154,40 @@ ContourOptions RunOutputs::marked(const ScenePicture& picture) const {
   return options;
 }
 
-void RunOutputs::drawMarked() {
-  if (pictures_.empty() && missing_.empty()) return;  // nothing was due before the end
-  pictures_.clear();
-  missing_.clear();
-  const ResultReader result(directory_);
+void RunOutputs::drawAgain(const ResultReader& result) {
   const std::vector<double> times = result.times();
-  for (std::size_t k = 0; k < times.size(); ++k)
-    if (isDue(times[k])) drawDue(result.frame(static_cast<int>(k)));
+  for (const ScenePicture& picture : document_.pictures) {
+    std::vector<double> drawn;
+    std::vector<int> frames;
+    for (const double time : picture.times) {
+      const auto at = std::ranges::find_if(times, [&](double of) { return isSameTime(of, time); });
+      if (at == times.end() || !fs::exists(pictureFile(picture, time))) continue;
+      drawn.push_back(time);
+      frames.push_back(static_cast<int>(at - times.begin()));
+    }
+    if (frames.empty() || (frames.size() == 1 && !isDoubtful_)) continue;
+    std::optional<ContourOptions> together;
+    const auto options = [&] {
+      if (!together) together = withSharedView(marked(picture), result, frames);
+      return *together;
+    };
+    for (std::size_t k = 0; k < frames.size(); ++k) draw(picture, drawn[k], result.frame(frames[k]), options);
+  }
 }
 
 void RunOutputs::finish(bool isDoubtful) {
   if (progress_) progress_->finish();
   if (!lastFrame_) return;
   isDoubtful_ = isDoubtful && marksDoubts_;
-  if (isDoubtful_) drawMarked();
+  const ResultReader result(directory_);
+  drawAgain(result);
   for (const ScenePicture& picture : document_.pictures)
-    if (picture.times.empty()) draw(picture, std::nullopt, *lastFrame_);
+    if (picture.times.empty())
+      draw(picture, std::nullopt, *lastFrame_, [&] {
+        ContourOptions options = marked(picture);
+        options.largest = largestInRun(result, *lastFrame_, options.field);
+        return options;
+      });
   for (const SceneProbe& probe : document_.probes) draw(probe);
 }
 
@@ -181,10 +202,11 @@ fs::path RunOutputs::pictureFile(const ScenePicture& picture, std::optional<doub
          (time ? fmt::format("{}_t{}.{}", stem, *time, ending) : fmt::format("{}.{}", stem, ending));
 }
 
-void RunOutputs::draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame) {
+void RunOutputs::draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame,
+                      const std::function<ContourOptions()>& options) {
   const fs::path file = pictureFile(picture, time);
   make("picture", file, renderCommand(picture, time, directory_, file),
-       [&] { drawContour(model_, frame, marked(picture), file); });
+       [&] { drawContour(model_, frame, options(), file); });
 }
 
 void RunOutputs::draw(const SceneProbe& probe) {
@@ -202,6 +224,7 @@ void RunOutputs::draw(const SceneProbe& probe) {
 
 void RunOutputs::make(const char* what, const fs::path& file, const std::string& command,
                       const std::function<void()>& act) {
+  std::erase(pictures_, file);  // of one that is drawn again
   const auto note = [&](const char* reason) { missing_.push_back({what, file, reason, command}); };
   if (interruption() != 0) return note("");
   try {

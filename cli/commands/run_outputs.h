@@ -8,6 +8,7 @@
 
 #include "cli/progress.h"
 #include "engine/analysis/run.h"
+#include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
 #include "postproc/paraview/paraview_series.h"
 #include "postproc/scene/scene_document.h"
@@ -35,7 +36,7 @@ class RunOutputs : public RunObserver {
   void onFrame(const ModelRecord& model, const FrameRecord& frame) override;
 
   /// Draws the pictures of the end of the run from its last frame; where the run doubts its results, with a
-  /// mark, and those of times before once more; then the charts of the probes.
+  /// mark; those of times before once more, with a mark or with what several have in common; then the charts of the probes.
   void finish(bool isDoubtful);
 
   /// Whether the run has begun to write.
@@ -61,8 +62,9 @@ class RunOutputs : public RunObserver {
   std::filesystem::path probeFile(const SceneProbe& probe) const;
   std::filesystem::path pictureFile(const ScenePicture& picture, std::optional<double> time) const;
 
-  /// A picture of the frame, or of the last one without a time.
-  void draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame);
+  /// A picture of the frame, or of the last one without a time. options: how it is drawn.
+  void draw(const ScenePicture& picture, std::optional<double> time, const FrameRecord& frame,
+            const std::function<ContourOptions()>& options);
 
   void draw(const SceneProbe& probe);
 
@@ -73,14 +75,12 @@ class RunOutputs : public RunObserver {
   /// How a picture is drawn, with a mark once the run doubts its results.
   ContourOptions marked(const ScenePicture& picture) const;
 
-  /// Whether a picture of this time is wanted.
-  bool isDue(double time) const;
-
   /// Draws the pictures that are wanted of the time of a frame.
   void drawDue(const FrameRecord& frame);
 
-  /// Draws those of times before the end once more: now it is known that they are to be marked.
-  void drawMarked();
+  /// Draws those of times before the end once more where the end has told more of them: the window and the range of
+  /// colours of several, or that they are to be marked.
+  void drawAgain(const ResultReader& result);
 
   const SceneDocument& document_;
   std::filesystem::path directory_;

@@ -115,6 +115,7 @@ class Panels {
       options.range = shared.range;
       options.window = shared.window;
       options.eye = shared.eye;
+      options.largest = shared.largest;
       if (shared.range) options.clip.reset();
       if (shared.range) options.note = source.single.clipNote;
       options.size = panel;

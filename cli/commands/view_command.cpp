@@ -70,8 +70,9 @@ void addViewCommand(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ViewArguments>();
   command->add_option("RESULT", arguments->result, "Directory of a run or the result file in it")->required();
   command
-      ->add_option("--frame", arguments->frame,
-                   "Frames of the page: all, A-B, one by its number, last, or time=T [all]")
+      ->add_option(
+          "--frame", arguments->frame,
+          "Frames of the page: all, A-B, one by its number, last, or time=T, or a list with commas [all]")
       ->type_name("N|A-B|all|last|time=T");
   command->add_option("--frames", arguments->frames, "Of these at most so many; evenly chosen")
       ->check(CLI::Range(2, 100000));

@@ -10,8 +10,10 @@ void describe(Visitor& v, ScenePicture& s) {
   describeField(v, s);
   v.field("name", s.name, {.identifier = true},
           "Beginning of the file name; the field's name when left out.");
-  v.field("times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
-          "One picture for each; the end of the run when left out.");
+  v.field(
+      "times", s.times, {.atLeast = 0, .increasing = true, .unit = "time"},
+      "One picture for each; the end of the run when left out. Once the run ends, several share one window and one "
+      "range of colours.");
   v.field(
       "format", s.format, {},
       "png, or for print pdf or svg: size and text_size are in points then, the size 482, 271 when left out.");

@@ -47,6 +47,12 @@ TEST(FrameIndices, AreOneARangeOrAll) {
   EXPECT_THAT(frameIndices("3-last", kTimes), ElementsAre(3, 4));
   EXPECT_THAT(frameIndices("all", kTimes), ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(frameIndices("time=7.5e-1", kTimes), ElementsAre(3));
+  EXPECT_THAT(frameIndices("0,2", kTimes), ElementsAre(0, 2));
+  EXPECT_THAT(frameIndices("0-1,time=7.5e-1,last", kTimes), ElementsAre(0, 1, 3, 4));
+  for (const char* text : {"2,0", "1,1", "0-2,1"})
+    expectError([&] { frameIndices(text, kTimes); }, "every frame once, in the order of their times");
+  for (const char* text : {"1,", ",1", "1,,2"})
+    expectError([&] { frameIndices(text, kTimes); }, "a list with commas");
   expectError([] { frameIndices("3-1", kTimes); }, "the smaller number first");
   expectError([] { frameIndices("1-5", kTimes); }, "there is no frame 5");
   expectError([] { frameIndices("al", kTimes); }, "Did you mean \"all\"?");

@@ -48,6 +48,7 @@
 #include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
+#include "postproc/mesh/poly_builder.h"
 #include "postproc/offscreen/offscreen_canvas.h"
 #include "postproc/text/ticks.h"
 
@@ -59,6 +60,8 @@ constexpr double kFaceWidth = 6.0;
 
 /// Width of the edges of arrows, over that of outlines.
 constexpr double kArrowEdge = 0.5;
+
+constexpr double kBreakWidth = 0.7;  // of a line where a tool is cut off, over that of outlines
 
 constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
@@ -176,7 +179,7 @@ class ContourPicture {
     else
       shapes.emplace_back(PageImage{
           area, onPaper([&](const Color& paper) { return captureSpace(paper, printed, pixels, plan); })});
-    for (const PageSketch& over : {spaceLines(plan), texts(plan.layout, plan.bar)})
+    for (const PageSketch& over : {spaceLines(plan), texts(plan)})
       shapes.insert(shapes.end(), over.shapes.begin(), over.shapes.end());
     return {std::move(page), view};
   }
@@ -262,6 +265,7 @@ class ContourPicture {
     // Surfaces of equal value lie within one another, where little of the sky is seen: all would be dark.
     occlusion.setSky(!options_.isosurfaces);
     shadow_ = occlusion.groundShadow();
+    if (shadow_ && !cutsBody_) fadeAtBorder(*shadow_, wholePicture(plan.layout.view, size_));
   }
 
   /// What `draw` draws on a paper, or without paper.
@@ -347,7 +351,7 @@ class ContourPicture {
     vtkNew<vtkRenderer> paper;
     vtkNew<PeelingRenderer> space;
     addLayers(canvas, background, *paper, *space, layout.view, size_);
-    paint(texts(layout, plan.bar), *paper, canvas.supersampling());
+    paint(texts(plan), *paper, canvas.supersampling());
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
     aim(*space, layout.view, size_, eyeDistance());
     return canvas.capture();
@@ -433,7 +437,9 @@ class ContourPicture {
   }
 
   /// All that is no picture of space: texts, the colour scale, the frame, the axes.
-  PageSketch texts(const ContourLayout& layout, const ScalarBar& bar) const {
+  PageSketch texts(const Plan& plan) const {
+    const ContourLayout& layout = plan.layout;
+    const ScalarBar& bar = plan.bar;
     PageSketch sketch;
     Overlay overlay(sketch);
     if (!layout.title.text.empty()) overlay.addText(layout.title.text, layout.titleAt, layout.title.style);
@@ -449,6 +455,8 @@ class ContourPicture {
     FlatShapes shapes(sketch);
     if (options_.colorScale) bar.draw(overlay, shapes, layout.bar, layout.barDirection);
     if (cutsBody_) drawFrame(shapes, layout.view.area);
+    for (const std::vector<Eigen::Vector2d>& line : toolBreaks(plan))
+      shapes.addPolyline(line, kBreakWidth * lineWidth(), theme_.outline);
     if (options_.scaleBar)
       drawScaleBar(shapes, overlay, layout.view, layout.scaleBarAt, subject_.lengthUnit, textSize_, theme_);
     if (options_.lengthAxes)
@@ -480,6 +488,7 @@ class ContourPicture {
     Layer layer;
     double opacity = 1.0;
     bool isDots = false;  ///< its points alone, as wide as this
+    double lift = 0.0;    ///< towards the eye beside that of the layer, in lengths of the bodies
   };
 
   /// From the back to the front, without tools.
@@ -505,10 +514,7 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
-    // In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn.
-    if (parts_.undeformed)
-      all.push_back({isFlat() ? parts_.undeformed : movedLines(*parts_.undeformed, view, 1.5 * line),
-                     theme_.undeformed, 0.8 * line, kUndeformed});
+    if (parts_.undeformed) all.push_back(undeformedLines(view));
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
@@ -516,8 +522,44 @@ class ContourPicture {
     return all;
   }
 
+  /// In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn, and
+  /// one that has moved lies over faces that have bulged a little since, which would leave fragments of it.
+  SpaceLines undeformedLines(const View& view) const {
+    constexpr double kOverFaces = 0.016;
+    const double line = lineWidth();
+    SpaceLines lines{parts_.undeformed, theme_.undeformed, 0.8 * line, kUndeformed};
+    if (isFlat() || !hasMotion(*parts_.undeformed)) return lines;
+    lines.lines = movedLines(*parts_.undeformed, view, 1.5 * line);
+    lines.lift = kOverFaces;
+    return lines;
+  }
+
   SpaceLines toolLines(const ToolDrawing& drawing) const {
     return {drawing.lines, theme_.outline, 1.2 * lineWidth(), kToolLines};
+  }
+
+  /// Where a plane picture ends within a tool, in pixels; none where a frame says it.
+  std::vector<std::vector<Eigen::Vector2d>> toolBreaks(const Plan& plan) const {
+    constexpr double kZigzag = 1.0;  // of the text
+    if (!isFlat() || cutsBody_) return {};
+    return breakLines(plan.tools, plan.layout.view, kZigzag * textSize_);
+  }
+
+  /// Their halves over the areas of the tools.
+  void drawToolBreaks(vtkRenderer& renderer, double scale, const Plan& plan) const {
+    const View& view = plan.layout.view;
+    const double depth = view.towardsEye().dot(parts_.box.center());
+    PolyBuilder builder;
+    for (const std::vector<Eigen::Vector2d>& line : toolBreaks(plan)) {
+      Eigen::Matrix3Xd points(3, std::ssize(line));
+      for (std::size_t k = 0; k < line.size(); ++k)
+        points.col(static_cast<Eigen::Index>(k)) =
+            view.axes.transpose() * (view.center + (line[k] - view.area.center()) / view.pixelsPerLength) +
+            depth * view.towardsEye();
+      builder.addLine(builder.addPoints(points));
+    }
+    addLifted(renderer, lineActor(*builder.finish(), theme_.outline, kBreakWidth * scale * lineWidth(), 1.0),
+              view, liftOf(kToolLines, view));
   }
 
   /// What of space is drawn: of a plane picture its areas alone, where lines become vectors.
@@ -532,9 +574,10 @@ class ContourPicture {
     const auto addLines = [&](const SpaceLines& part) {
       if (what == Shown::Areas) return;
       const double width = scale * part.width;
-      add(part.isDots ? pointActor(*part.lines, part.color, width)
-                      : lineActor(*part.lines, part.color, width, part.opacity),
-          part.layer);
+      addLifted(renderer,
+                part.isDots ? pointActor(*part.lines, part.color, width)
+                            : lineActor(*part.lines, part.color, width, part.opacity),
+                view, liftOf(part.layer, view) + part.lift * lengthOf(parts_));
     };
     if (!isOfContact() || !isFlat() || what == Shown::Everything) {
       const auto colored = contourActor(*body_.with, plan.scale, !isFlat());
@@ -565,6 +608,7 @@ class ContourPicture {
     }
     peelTools(renderer, plan);
     if (what == Shown::Areas) return;
+    if (isFlat()) drawToolBreaks(renderer, scale, plan);
     if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
       const double dash = kDash * textSize_;
       const auto addHidden = [&](vtkPolyData& lines, double width) {
@@ -639,7 +683,7 @@ class ContourPicture {
   /// How far towards the eye a layer is moved. In space lines come out of the facets on which they lie, but not
   /// through what is before them, and tools and faces in contact lie over the bodies in whose surface they are.
   double liftOf(Layer layer, const View& view) const {
-    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.004, kLiftOfFaces = 0.008;
+    constexpr double kPixelsPerLayer = 0.5, kLiftOfTool = 0.01, kLiftOfFaces = 0.014;
     const auto order = static_cast<double>(layer);
     if (isFlat()) return order * lengthOf(parts_) / 100.0;
     double part = 0.0;
@@ -728,7 +772,8 @@ auto ofSubject(const ModelRecord& model, const FrameRecord& frame, const Contour
                const Make& make) {
   check(options, model.dim);
   return withShownModel(model, frame, options, [&](const ModelRecord& shown, const FrameRecord& its) {
-    const FieldChoice field = chooseField(shown, its, options.field);
+    FieldChoice field = chooseField(shown, its, options.field);
+    dropRounding(field, options.largest);
     const ContourParts parts = contourParts(shown, its, field, options);
     const FieldRange ranges = fieldRanges(shown, its, field, subdivisionOf(shown, options), options.clip);
     ContourSubject subject{

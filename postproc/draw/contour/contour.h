@@ -38,7 +38,8 @@ struct ContourOptions : PictureOptions {
   std::optional<Eigen::Vector3d> mark;  ///< a place with a ring round it
   std::optional<Eye> eye;               ///< of perspective pictures that stand together; see `eyeOf`
   std::optional<SharedRoom> room;       ///< of pictures that stand together
-  double pointsPerPixel = 1.0;          ///< of the paper, where a picture for print stands on a larger page
+  double largest = 0.0;  ///< magnitude that the field reaches in the run, if it is known; see `dropRounding`
+  double pointsPerPixel = 1.0;  ///< of the paper, where a picture for print stands on a larger page
 };
 
 /// A picture in memory, RGB or, transparent, RGBA, lowest row first.

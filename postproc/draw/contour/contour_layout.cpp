@@ -21,6 +21,7 @@ constexpr double kLine = 1.5;
 constexpr double kBelowCaption = 1.0;
 constexpr double kBarGap = 1.6;
 constexpr double kShortestBar = 12.0;
+constexpr double kBesideTriad = 0.8;  // from its names to a line that stands beside them
 constexpr double kNoteSize = 0.85;
 constexpr double kNoteGap = 0.9;
 constexpr double kNoteLine = 1.35;                           // from line to line, of its own size
@@ -212,7 +213,7 @@ ContourLayout layOutContour(const std::array<int, 2>& pictureSize, double textSi
   if (!caption.doubt.empty())
     layout.doubt = fitText({{caption.doubt}}, small, width - left - margin, kSmallestNote);
   if (!caption.doubt.empty() || caption.doubtRoom) addSmallLine(layout.doubt.style, caption.doubtRoom);
-  layout.scaleBarAt = {left, bottom};
+  layout.scaleBarAt = {left + (caption.triad ? kBesideTriad * size : 0.0), bottom};
   if (caption.scaleBar) bottom += kScaleBarRoom * size;
   if (!caption.note.empty()) layout.note = noteLines(caption.note, small, width - left - margin);
   if (!layout.note.empty() || caption.noteRoom)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <future>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
@@ -17,6 +19,7 @@
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
+#include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
 namespace {
@@ -53,7 +56,29 @@ ContourOptions contourOptions(const PictureOptions& picture, const ResultReader&
         withShownModel(result.model(), frame, options,
                        [](const ModelRecord&, const FrameRecord& shown) { return fieldToShow(shown); });
   if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
+  options.largest = largestInRun(result, frame, options.field);
   return options;
+}
+
+double largestInRun(const ResultReader& result, const FrameRecord& frame, const std::string& field) {
+  constexpr double kUnmoved = 1e-9;  // of its size
+  Eigen::AlignedBox3d box;
+  for (const PatchRecord& patch : result.model().mesh.patches) {
+    const Eigen::Matrix3Xd points = inSpace(patch.points);
+    box.extend(Eigen::Vector3d(points.rowwise().minCoeff()));
+    box.extend(Eigen::Vector3d(points.rowwise().maxCoeff()));
+  }
+  if (frame.displacement.cwiseAbs().maxCoeff() > kUnmoved * box.diagonal().norm()) return 0.0;
+  const double own = magnitudeOf(chooseField(result.model(), frame, field));
+  if (own == 0.0) return 0.0;
+  for (int k = result.numFrames() - 1; k >= 0; --k) {
+    const FrameRecord record = result.frame(k);
+    const std::vector<std::string> names = fieldNames(record);
+    if (std::ranges::find(names, field) == names.end()) continue;
+    const double other = magnitudeOf(chooseField(result.model(), record, field));
+    if (own < kRounding * other) return other;
+  }
+  return 0.0;
 }
 
 FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options) {
@@ -80,6 +105,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
   frames.insert(together.begin(), together.end());
   SharedRoom room{.extremes = {}, .note = !options.note.empty(), .doubt = !options.doubt.empty()};
   std::optional<Range> range;
+  std::vector<Range> seen;  // the extremes of all of them
   std::string unit;
   Eigen::AlignedBox2d window;
   double nearest = -HUGE_VAL;
@@ -91,6 +117,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
       unit = view.unit;
       range = joined(range, *view.shown);
     }
+    if (view.extremes) seen.push_back(*view.extremes);
     if (together.contains(k)) {
       room.note = room.note || view.hasNote;
       room.gaps = room.gaps || view.hasGaps;
@@ -100,6 +127,11 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     window.extend(view.content);
     nearest = std::max(nearest, view.nearest);
   }
+  for (const Range& extremes : seen)
+    options.largest = std::max({options.largest, std::abs(extremes[0]), std::abs(extremes[1])});
+  for (Range& extremes : room.extremes)
+    if (std::max(std::abs(extremes[0]), std::abs(extremes[1])) < kRounding * options.largest)
+      extremes = {0.0, 0.0};
   if (range) {
     options.range = widened(*range);
     options.clip.reset();  // it is in the range
@@ -119,7 +151,8 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
 FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options,
                     bool inRange, bool inWindow) {
   return withShownModel(model, frame, options, [&](const ModelRecord& shownModel, const FrameRecord& shown) {
-    const FieldChoice field = chooseField(shownModel, shown, options.field);
+    FieldChoice field = chooseField(shownModel, shown, options.field);
+    dropRounding(field, options.largest);
     FrameView view;
     const FieldRange ranges = rangesOf(shownModel, shown, field, options);
     if (inRange) view.shown = ranges.shown;

@@ -17,6 +17,10 @@ namespace burnish {
 ContourOptions contourOptions(const PictureOptions& picture, const ResultReader& result,
                               const FrameRecord& frame);
 
+/// The largest magnitude of the field in the run, looked for only where the bodies have not moved: there it may be
+/// rounding. 0 where it need not be known.
+double largestInRun(const ResultReader& result, const FrameRecord& frame, const std::string& field);
+
 /// The range of values and of colours of one frame that is drawn like this.
 FieldRange shownRanges(const ModelRecord& model, const FrameRecord& frame, const ContourOptions& options);
 

@@ -134,6 +134,14 @@ Eigen::VectorXd FieldChoice::drawnScalars(const Eigen::MatrixXd& values) const {
   return isNonNegative ? Eigen::VectorXd(all.cwiseMax(0.0)) : all;
 }
 
+double magnitudeOf(const FieldChoice& field) {
+  return field.coefficients.size() == 0 ? 0.0 : field.coefficients.cwiseAbs().maxCoeff();
+}
+
+void dropRounding(FieldChoice& field, double magnitude) {
+  if (magnitudeOf(field) < kRounding * magnitude) field.coefficients.setZero();
+}
+
 FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
                          const std::string& unit) {
   return {.name = component.empty() ? name : name + "." + component,

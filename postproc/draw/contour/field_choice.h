@@ -40,6 +40,15 @@ struct FieldChoice {
   Eigen::VectorXd drawnScalars(const Eigen::MatrixXd& values) const;
 };
 
+/// The largest magnitude of the coefficients, which that of the field does not exceed; 0 of a field of contact.
+double magnitudeOf(const FieldChoice& field);
+
+/// Makes a field zero that is rounding beside a magnitude that it has elsewhere: its noise would fill a scale.
+void dropRounding(FieldChoice& field, double magnitude);
+
+/// Below this share of the largest magnitude of a field in a run values are rounding.
+inline constexpr double kRounding = 1e-12;
+
 /// A field as pictures call it, without values. component: empty for a scalar, or for the magnitude of a vector.
 FieldChoice fieldInWords(const std::string& name, const std::string& component, bool isMagnitude,
                          const std::string& unit);

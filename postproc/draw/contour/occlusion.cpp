@@ -309,4 +309,22 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   return ground;
 }
 
+void fadeAtBorder(vtkPolyData& shadow, const View& picture) {
+  constexpr double kWidth = 0.08;  // of the shorter side of the picture
+  const PixelRect& area = picture.area;
+  const double width = kWidth * std::min(area.width, area.height);
+  vtkDataArray& colors = *shadow.GetPointData()->GetScalars();
+  // Between points alpha is linear: those next to the border have none.
+  const double step = (picture.pixel(Eigen::Vector3d(shadow.GetPoint(1))) -
+                       picture.pixel(Eigen::Vector3d(shadow.GetPoint(0))))
+                          .norm();
+  for (vtkIdType k = 0; k < shadow.GetNumberOfPoints(); ++k) {
+    const Eigen::Vector2d at = picture.pixel(Eigen::Vector3d(shadow.GetPoint(k)));
+    const double inside =
+        std::min({at.x() - area.x, area.right() - at.x(), at.y() - area.y, area.top() - at.y()});
+    const double part = std::clamp((inside - step) / width, 0.0, 1.0);
+    colors.SetComponent(k, 3, std::round(part * colors.GetComponent(k, 3)));
+  }
+}
+
 }  // namespace burnish

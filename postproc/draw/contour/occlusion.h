@@ -31,4 +31,8 @@ class Occlusion {
   FreeSky sky_;
 };
 
+/// Lets a shadow end before the border of the picture, whose edge would be seen on a page. picture: a view whose area
+/// is all of it.
+void fadeAtBorder(vtkPolyData& shadow, const View& picture);
+
 }  // namespace burnish

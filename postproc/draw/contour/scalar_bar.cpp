@@ -104,7 +104,9 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
       return text((texts.marked ? sign : "") + std::string(name), of[k], of);
     };
     End end{extreme(own), text(beyond, limit, own), passes(own)};
-    end.isTold = end.passed || std::abs(own[k] - limit) <= slack;
+    const auto isAtLimit = [&](const Extremes& of) { return std::abs(of[k] - limit) <= slack; };
+    // Of scales that stand together all have the numbers that one of them needs.
+    end.isTold = end.passed || (even_ ? isAtLimit(own) : std::ranges::all_of(all, isAtLimit));
     end.hasArrow = end.passed;
     for (const Extremes& of : all) {
       if (!even_) end.hasArrow = end.hasArrow || passes(of);  // in their own ranges others pass other ends
@@ -269,22 +271,29 @@ Ticks ScalarBar::ticks(int most) const {
   if (states_.empty()) {
     if (constant_) return makeTickAt(*constant_, scale_.range(), kEndDigits);
     if (bands_ > 0) return makeTicksOfBands(scale_.range(), bands_, most);
-    return withEnds(makeTicks(scale_.range(), most));
+    return withEnds(makeTicks(scale_.range(), most), most);
   }
   std::vector<double> values(states_.size());
   std::iota(values.begin(), values.end(), 0.0);
   return {values, states_};
 }
 
-Ticks ScalarBar::withEnds(Ticks ticks) const {
-  constexpr double kApart = 0.3;  // of the bar
-  if (ticks.values.size() > 1) return ticks;
+Ticks ScalarBar::withEnds(Ticks ticks, int most) const {
+  constexpr double kApart = 0.3, kOfStep = 0.5;  // of the bar, and of the smallest distance of its marks
+  const double apart = ticks.values.size() > 1 ? kOfStep / most : kApart;
   for (const End* end : {&low_, &high_}) {
     if (end->isTold) continue;
     const bool isHigh = end == &high_;
     const double limit = scale_.range()[isHigh ? 1 : 0];
-    if (ticks.values.size() == 1 && std::abs(along(ticks.values[0]) - along(limit)) < kApart)
-      ticks = {{}, {}, ticks.exponent};
+    if (!ticks.values.empty()) {
+      const std::ptrdiff_t nearest = isHigh ? std::ssize(ticks.values) - 1 : 0;
+      const double way = std::abs(along(ticks.values[static_cast<std::size_t>(nearest)]) - along(limit));
+      if (way < kRoundOff) continue;
+      if (way < apart) {
+        ticks.values.erase(ticks.values.begin() + nearest);
+        ticks.labels.erase(ticks.labels.begin() + nearest);
+      }
+    }
     const Ticks mark = makeTickAt(limit, scale_.range(), kEndDigits);
     ticks.values.insert(isHigh ? ticks.values.end() : ticks.values.begin(), limit);
     ticks.labels.insert(isHigh ? ticks.labels.end() : ticks.labels.begin(), mark.labels.front());
@@ -300,8 +309,9 @@ Ticks ScalarBar::ticksUp(double barLength) const {
 Ticks ScalarBar::ticksAcross(double barLength) const {
   for (int most = kMostTicks; most > 2; --most) {
     Ticks marks = ticks(most);
-    const double spacing =
-        marks.values.size() < 2 ? barLength : (along(marks.values[1]) - along(marks.values[0])) * barLength;
+    double spacing = barLength;
+    for (std::size_t k = 1; k < marks.values.size(); ++k)
+      spacing = std::min(spacing, (along(marks.values[k]) - along(marks.values[k - 1])) * barLength);
     if (longestLabel(marks) + 1.2 * size_ <= spacing) return marks;
   }
   Ticks few = ticks(2);

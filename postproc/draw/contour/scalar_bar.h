@@ -73,8 +73,8 @@ class ScalarBar {
                          const Ticks& ticks) const;
   Ticks ticks(int most) const;
 
-  /// Marks of which there is one or none, with those ends of the scale that no other number tells.
-  Ticks withEnds(Ticks ticks) const;
+  /// At most so many marks with those ends of the scale that no other number tells, instead of marks next to them.
+  Ticks withEnds(Ticks ticks, int most) const;
   Ticks ticksUp(double barLength) const;
   Ticks ticksAcross(double barLength) const;
   double barLengthUp(double length) const;

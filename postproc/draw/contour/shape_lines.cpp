@@ -94,9 +94,13 @@ void setMoved(vtkPolyData& before, vtkPolyData& after) {
   before.GetPointData()->AddArray(makeArray(kMoved, moved, {}));
 }
 
+bool hasMotion(vtkPolyData& lines) {
+  return lines.GetPointData()->GetArray(kMoved) != nullptr;
+}
+
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels) {
   constexpr double kClear = 3.0;  // so far an edge has gone somewhere that is drawn
-  if (lines.GetPointData()->GetArray(kMoved) == nullptr) return &lines;
+  if (!hasMotion(lines)) return &lines;
   vtkNew<vtkStripper> edges;  // cuts leave segments
   edges->SetInputData(&lines);
   edges->JoinContiguousSegmentsOn();

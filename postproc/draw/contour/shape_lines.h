@@ -30,6 +30,9 @@ inline constexpr const char* kMoved = "moved";
 /// Gives points `kMoved`, to the points of the same numbers after it.
 void setMoved(vtkPolyData& before, vtkPolyData& after);
 
+/// Whether its points have `kMoved`.
+bool hasMotion(vtkPolyData& lines);
+
 /// Of lines with `kMoved`, each in one piece, from where it is first seen to have moved by so many pixels to where it last is; lines
 /// that have moved by less than three times as many have none. All of lines without it.
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels);

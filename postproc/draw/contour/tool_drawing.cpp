@@ -1,10 +1,15 @@
 #include "postproc/draw/contour/tool_drawing.h"
 
 #include <vtkCellArray.h>
+#include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/mesh/poly_builder.h"
@@ -90,7 +95,83 @@ vtkSmartPointer<vtkPolyData> withRadius(vtkPolyData& circle, const RecordedShape
   return together(circle, *builder.finish());
 }
 
+using Interval = std::array<double, 2>;
+
+/// A side of what is seen, from its begin along a direction.
+struct BorderSide {
+  Eigen::Vector2d begin, along;
+  double length;
+};
+
+/// Where polygons lie over the line of a side: distances from its begin.
+std::vector<Interval> coveredParts(vtkPolyData& area, const View& view, const BorderSide& side) {
+  const Eigen::Vector2d across(-side.along.y(), side.along.x());
+  std::vector<Interval> parts;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < area.GetNumberOfCells(); ++cell) {
+    area.GetCellPoints(cell, ids);
+    std::vector<double> crossings;
+    Eigen::Vector2d last = view.pixel(Eigen::Vector3d(area.GetPoint(ids->GetId(ids->GetNumberOfIds() - 1))));
+    for (const vtkIdType id : std::span(ids->begin(), ids->end())) {
+      const Eigen::Vector2d next = view.pixel(Eigen::Vector3d(area.GetPoint(id)));
+      const double before = across.dot(last - side.begin), after = across.dot(next - side.begin);
+      if ((before < 0.0) != (after < 0.0))
+        crossings.push_back(side.along.dot(last + before / (before - after) * (next - last) - side.begin));
+      last = next;
+    }
+    std::ranges::sort(crossings);
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+      parts.push_back({std::max(0.0, crossings[k]), std::min(side.length, crossings[k + 1])});
+  }
+  std::erase_if(parts, [](const Interval& part) { return part[0] >= part[1]; });
+  return parts;
+}
+
+/// Those that touch one another as one.
+std::vector<Interval> inOnePiece(std::vector<Interval> parts) {
+  constexpr double kTouching = 1e-3;  // pixels
+  std::ranges::sort(parts);
+  std::vector<Interval> wholes;
+  for (const Interval& part : parts)
+    if (wholes.empty() || part[0] > wholes.back()[1] + kTouching)
+      wholes.push_back(part);
+    else
+      wholes.back()[1] = std::max(wholes.back()[1], part[1]);
+  return wholes;
+}
+
 }  // namespace
+
+std::vector<std::vector<Eigen::Vector2d>> breakLines(const std::vector<ToolDrawing>& tools, const View& view,
+                                                     double zigzag) {
+  constexpr double kHalfWidth = 0.6, kRoom = 4.0;  // of its height
+  const PixelRect& seen = view.area;
+  const Eigen::Vector2d right(1.0, 0.0), up(0.0, 1.0);
+  std::vector<std::vector<Eigen::Vector2d>> lines;
+  for (const BorderSide& side :
+       {BorderSide{{seen.x, seen.y}, right, seen.width}, BorderSide{{seen.x, seen.top()}, right, seen.width},
+        BorderSide{{seen.x, seen.y}, up, seen.height}, BorderSide{{seen.right(), seen.y}, up, seen.height}}) {
+    const Eigen::Vector2d across(-side.along.y(), side.along.x());
+    const auto at = [&](double way, double aside) {
+      return Eigen::Vector2d(side.begin + way * side.along + aside * across);
+    };
+    for (const ToolDrawing& tool : tools) {
+      if (!tool.area) continue;
+      for (const auto& [begin, end] : inOnePiece(coveredParts(*tool.area, view, side))) {
+        std::vector<Eigen::Vector2d> line{at(begin, 0.0)};
+        if (end - begin > kRoom * zigzag) {
+          const double middle = 0.5 * (begin + end), half = kHalfWidth * zigzag;
+          for (const auto& [way, aside] : {std::pair(-half, 0.0), std::pair(-half / 2.0, zigzag / 2.0),
+                                           std::pair(half / 2.0, -zigzag / 2.0), std::pair(half, 0.0)})
+            line.push_back(at(middle + way, aside));
+        }
+        line.push_back(at(end, 0.0));
+        lines.push_back(std::move(line));
+      }
+    }
+  }
+  return lines;
+}
 
 ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
                           std::optional<double> turn, double error) {

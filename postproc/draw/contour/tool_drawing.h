@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "engine/results/result.h"
 #include "postproc/draw/page/view.h"
@@ -25,6 +26,11 @@ struct ToolDrawing {
 /// that shows it, in radians; error: as of `toolOutline`.
 ToolDrawing drawPlaneTool(const ToolRecord& tool, const Eigen::AlignedBox3d& visible, double stroke,
                           std::optional<double> turn = {}, double error = HUGE_VAL);
+
+/// Where areas of tools are cut off at the border of what is seen of a view: thin lines along it, each with a zigzag of
+/// this height, which says that the tool goes on. In pixels.
+std::vector<std::vector<Eigen::Vector2d>> breakLines(const std::vector<ToolDrawing>& tools, const View& view,
+                                                     double zigzag);
 
 /// In space: the surface, its edges and where it turns away from the eye. With `cut` only what lies behind
 /// it, and the section.

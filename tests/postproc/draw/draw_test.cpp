@@ -22,12 +22,14 @@
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/draw/contour/place_marks.h"
+#include "postproc/draw/contour/tool_drawing.h"
 #include "postproc/draw/page/color_name.h"
 #include "postproc/draw/page/color_scale.h"
 #include "postproc/draw/page/doubt_mark.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/picture_warnings.h"
 #include "postproc/draw/page/theme.h"
+#include "postproc/mesh/poly_builder.h"
 #include "postproc/text/ticks.h"
 #include "tests/message_of.h"
 
@@ -237,6 +239,25 @@ TEST(ScalarBars, OtherRangesHaveTheirOwnPowersOfTen) {
   EXPECT_EQ(depth({{0.0, 1e-19}, {0.0, 0.1314}, {0.2, 0.2}, {0.0, 0.0}}), depth({}));
 }
 
+/// A given end that no value is at is no value: its number stands there, instead of a mark next to it.
+TEST(ScalarBars, EndsThatNoValueIsAtHaveTheirNumbers) {
+  const auto labels = [](const std::array<double, 2>& range, double largest,
+                         const std::vector<std::array<double, 2>>& together) {
+    return ScalarBar(
+               ColorScale("viridis", range, 0),
+               {.title = {{"field"}}, .unit = "", .smallest = 0.0, .largest = largest, .together = together},
+               12.0, Theme{})
+        .marks()
+        .labels;
+  };
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.1314, {}).back(), "0.2298");
+  EXPECT_THAT(labels({0.0, 0.2298}, 0.1314, {}), testing::Not(testing::Contains("0.225")));
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.2298, {}).back(), "0.225") << "max tells it";
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.2298, {{0.0, 0.1314}}).back(), "0.2298") << "as in the others";
+  EXPECT_EQ(labels({0.0, 0.2298}, 0.3, {}).back(), "0.225") << "the arrow tells it";
+  EXPECT_EQ(labels({0.0, 3.0}, 0.4, {}), labels({0.0, 3.0}, 3.0, {}));
+}
+
 /// With as many digits as tell them from one another.
 TEST(ScalarBars, EndsOfNarrowRangesAreTold) {
   const auto ends = [](double smallest, double largest) {
@@ -270,6 +291,54 @@ TEST(SharedViews, RangesOfOtherUnitsAreRefused) {
             "range: found values in MPa and in kPa, which cannot have one range of colours; "
             "take frame, which gives each its own");
   EXPECT_THAT(message("", "kPa"), HasSubstr("found values without a unit and in kPa"));
+}
+
+TEST(SharedViews, ValuesThatAreRoundingBesideOthersAreZero) {
+  ContourOptions options;
+  shareView(options, {0, 1}, {0, 1}, [&](int k, bool, bool) {
+    FrameView view{std::array{0.0, 0.5}, {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 1)}};
+    view.extremes = k == 0 ? std::array{-1e-16, 3e-16} : std::array{0.0, 0.5};
+    return view;
+  });
+  EXPECT_EQ(options.largest, 0.5);
+  EXPECT_EQ(options.room->extremes.front(), (std::array{0.0, 0.0}));
+  FieldChoice noise;
+  noise.coefficients = Eigen::MatrixXd::Constant(1, 4, 3e-16);
+  FieldChoice small = noise;
+  small.coefficients *= 1e4;
+  dropRounding(noise, options.largest);
+  dropRounding(small, options.largest);
+  EXPECT_EQ(magnitudeOf(noise), 0.0);
+  EXPECT_DOUBLE_EQ(magnitudeOf(small), 3e-12);
+}
+
+TEST(BreakLines, StandWhereToolsAreCutOff) {
+  View view;
+  view.axes << 1, 0, 0, 0, 1, 0;
+  view.pixelsPerLength = 10.0;
+  view.area = {100.0, 50.0, 200.0, 100.0};  // shows x from -10 to 10, y from -5 to 5
+  const auto linesOf = [&](const Eigen::Matrix3Xd& corners,
+                           const std::vector<std::vector<vtkIdType>>& cells) {
+    PolyBuilder builder;
+    builder.addPoints(corners);
+    for (const std::vector<vtkIdType>& cell : cells) builder.addPolygon(cell);
+    return breakLines({ToolDrawing{builder.finish(), nullptr, nullptr}}, view, 10.0);
+  };
+  Eigen::Matrix3Xd corners = Eigen::Matrix3Xd::Zero(3, 4);
+  corners.row(0) << -2, 8, 8, -2;
+  corners.row(1) << 1, 1, 9, 9;
+  for (const auto& cells : {std::vector<std::vector<vtkIdType>>{{0, 1, 2, 3}}, {{0, 1, 2}, {0, 2, 3}}}) {
+    const auto lines = linesOf(corners, cells);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines.front().front().isApprox(Eigen::Vector2d(180.0, 150.0)));
+    EXPECT_TRUE(lines.front().back().isApprox(Eigen::Vector2d(280.0, 150.0)));
+    EXPECT_EQ(lines.front().size(), 6U) << "a zigzag in the middle";
+  }
+  corners.row(0) << -12, -8, -8, -12;  // in a corner: along two sides
+  EXPECT_EQ(linesOf(corners, {{0, 1, 2, 3}}).size(), 2U);
+  corners.row(1) << 1, 1, 4, 4;
+  corners.row(0) << -2, 8, 8, -2;
+  EXPECT_TRUE(linesOf(corners, {{0, 1, 2, 3}}).empty());
 }
 
 TEST(PlaceMarks, MoveToTheFirstImageThatIsSeen) {

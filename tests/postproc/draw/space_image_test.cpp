@@ -490,6 +490,63 @@ TEST_F(SpaceImage, SignsOfExtremesLeaveTheScaleAsItIs) {
   }
 }
 
+/// The front has bulged towards the eye by some hundredths, and the edge along its top has gone up.
+TEST_F(SpaceImage, UndeformedEdgesOverABulgingFaceAreWhole) {
+  Sample sample = samples::cube();
+  const Eigen::MatrixXd& points = sample.model.mesh.patches.front().points;
+  for (Eigen::Index k = 0; k < points.cols(); ++k) {
+    sample.frame.displacement(1, k) = 0.3 * points(1, k);
+    sample.frame.displacement(2, k) = 0.12 * points(0, k) * (1.0 - points(0, k)) * points(2, k);
+  }
+  ContourOptions options = small("pressure");
+  options.tools = options.occlusion = false;
+  options.undeformed = false;
+  const Picture without = drawn(sample, options);
+  options.undeformed = true;
+  const Picture with = drawn(sample, options);
+  for (double x = 0.05; x < 0.96; x += 0.01) {
+    const Eigen::Vector2d pixel = view.pixel(Eigen::Vector3d(x, 1.0, 1.0));
+    int most = 0;
+    for (double dy = -2.0; dy <= 2.0; ++dy)
+      most = std::max(most, difference(with.at(pixel + Eigen::Vector2d(0.0, dy)),
+                                       without.at(pixel + Eigen::Vector2d(0.0, dy))));
+    EXPECT_GT(most, 12) << x;
+  }
+}
+
+/// What is symmetric about the middle of the picture looks so.
+TEST_F(SpaceImage, LeftAndRightAreLitAlike) {
+  Sample sample = samples::cube();
+  sample.frame.displacement *= 0.0;
+  sample.model.tools = {{"ball", Sphere{{0.5, 1.6, 0.5}, 0.5}}};
+  ContourOptions options = small("pressure");
+  options.undeformed = options.occlusion = false;
+  options.toolOpacity = 1.0;
+  options.view.name = "0,0.5,1";
+  const Picture picture = drawn(sample, options);
+  for (const double x : {0.1, 0.2, 0.35})
+    for (const double y : {1.4, 1.6, 1.9}) {
+      const double depth = 0.5 + std::sqrt(0.25 - x * x - std::pow(y - 1.6, 2));
+      const auto at = [&](double side) {
+        return picture.at(view.pixel(Eigen::Vector3d(0.5 + side * x, y, depth)));
+      };
+      EXPECT_LE(difference(at(-1.0), at(1.0)), 1) << x << " " << y;
+    }
+}
+
+/// On a white page the edge of a picture whose corners are grey would be seen.
+TEST_F(SpaceImage, ShadowsEndBeforeTheBorderOfThePicture) {
+  Sample sample = samples::cube();
+  ContourOptions options = small("pressure");
+  options.size = {300, 200};
+  options.tools = options.undeformed = options.colorScale = false;
+  const Picture picture = drawn(sample, options);
+  for (int x = 0; x < 300; ++x)
+    for (const double y : {0.5, 199.5}) EXPECT_EQ(picture.at({x + 0.5, y}), options.theme.paper) << x;
+  for (int y = 0; y < 200; ++y)
+    for (const double x : {0.5, 299.5}) EXPECT_EQ(picture.at({x, y + 0.5}), options.theme.paper) << y;
+}
+
 /// Edges before and after: a wavy one is drawn from where it leaves itself to where it meets itself again, in one piece; one that has
 /// moved little is not drawn at all.
 TEST(MovedLines, AreDrawnInOnePiece) {
