@@ -183,7 +183,9 @@ class Ranks : public ShellTest {
       std::string name = a.columns[c];
       if (name == "newton_iterations") continue;
       // ball.fx, ball.angle_x
-      if (name.size() > 3 && (name[name.size() - 3] == '.' || name[name.size() - 2] == '_')) name.pop_back();
+      if (name.size() > 3 && name.find_last_of("xyz") == name.size() - 1 &&
+          (name[name.size() - 3] == '.' || name[name.size() - 2] == '_'))
+        name.pop_back();
       for (std::size_t k = 0; k < std::min(a.values[c].size(), b.values[c].size()); ++k) {
         largest[name] = std::max(largest[name], std::abs(a.values[c][k]));
         difference[name] = std::max(difference[name], std::abs(a.values[c][k] - b.values[c][k]));
