@@ -604,7 +604,7 @@ uniform vec3 right, up, eye;
 float lightOn(vec3 normal, float least, float most) {
   vec3 n = vec3(dot(normal, right), dot(normal, up), dot(normal, eye));
   if (n.z < 0.0) n = -n;
-  float lamps = 0.9 * max(0.0, dot(n, vec3(0.1116, 0.7660, 0.6330))) +
+  float lamps = 0.9 * max(0.0, dot(n, vec3(0.0, 0.7741, 0.6330))) +
     0.3 * max(0.0, dot(n, vec3(0.0, -0.9659, 0.2588))) + 0.3 * n.z +
     0.26 * (max(0.0, dot(n, vec3(0.9397, 0.0, -0.3420))) + max(0.0, dot(n, vec3(-0.9397, 0.0, -0.3420))));
   return clamp((0.45 + 0.6 * lamps) / 1.018, least, most);

@@ -39,8 +39,9 @@ void paint(vtkActor& actor, const Color& color, double opacity) {
 }
 
 /// Light of lamps that go with the eye, the brightest above it: x to the right, y up, z to the eye. A face that looks
-/// at the eye has its own colour, and left and right are lit alike, so that what is symmetric looks so. Computed here and not by VTK, whose sums cannot be limited: colours of a scale must
-/// neither become others nor too dark to be read from it. White light, nothing shines.
+/// at the eye has its own colour, and left and right are lit alike, so that what is symmetric looks so. Computed here
+/// and not by VTK, whose sums cannot be limited: colours of a scale must neither become others nor too dark to be read
+/// from it. White light, nothing shines.
 constexpr const char* kLight = R"(
   vec3 n = normalVCVSOutput;
   float lamps = 0.9 * max(0.0, dot(n, vec3(0.0, 0.7741, 0.6330))) +
