@@ -188,7 +188,7 @@ class OptionSpeller {
       for (const auto& entry : value) text += (text.empty() ? "" : ",") + optionText(entry);
       return text;
     } else if constexpr (std::is_enum_v<T>) {
-      for (const auto& [name, candidate] : EnumNames<T>::values)
+      for (const auto& [name, candidate] : kNamesOf<T>)
         if (candidate == value) return name;
       return "";
     } else if constexpr (std::is_same_v<T, bool>) {

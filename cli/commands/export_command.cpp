@@ -123,7 +123,7 @@ void requireFrames(const ResultReader& reader) {
 
 /// The unit of the lengths of a result.
 LengthUnit unitOf(const ExportArguments& arguments, const ResultReader& result) {
-  if (arguments.unit) return chosen("--unit", *arguments.unit, EnumNames<LengthUnit>::values);
+  if (arguments.unit) return chosen("--unit", *arguments.unit, kNamesOf<LengthUnit>);
   const std::string& label = result.model().lengthUnit;
   if (label.empty()) return LengthUnit::Millimetre;
   if (const auto unit = lengthUnitOf(label)) return *unit;
@@ -283,7 +283,7 @@ void addExportCommand(CLI::App& app, Action& action) {
               "--unit", arguments->unit,
               "With step and iges: what the lengths of the result are in [that of its units, else mm]")
           ->type_name("UNIT");
-  offerChoices(*unit, EnumNames<LengthUnit>::values);
+  offerChoices(*unit, kNamesOf<LengthUnit>);
   command->callback([&action, arguments, ofSeries] {
     for (const CLI::Option* option : ofSeries)
       if (option->count() > 0) arguments->ofSeries = option->get_name();

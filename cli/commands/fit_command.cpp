@@ -130,7 +130,7 @@ std::string documentOf(const FitArguments& arguments, const LawFit& fit) {
   return text + fit.yaml;
 }
 
-ExitCode fit(const FitArguments& arguments) {
+ExitCode fitLaw(const FitArguments& arguments) {
   const FittableLaw& law = lawOf(arguments.law);
   checkOptions(arguments, law);
   const FitResiduals residuals = chosen("--residuals", arguments.residuals,
@@ -229,7 +229,7 @@ void addFitCommand(CLI::App& app, Action& action) {
   addAxisOptions(*command, arguments->chart, {"what the column holds", "what the column holds"},
                  {"x", "y", "xy"});
   addPageOptions(*command, arguments->chart);
-  command->callback([&action, arguments] { action = [arguments] { return fit(*arguments); }; });
+  command->callback([&action, arguments] { action = [arguments] { return fitLaw(*arguments); }; });
 }
 
 }  // namespace burnish

@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 void archiveBasis(StateArchive& archive, const std::string& name, std::optional<UnivariateBasis>& basis) {
@@ -98,4 +98,4 @@ void archiveBody(StateArchive& archive, const MaterialParameters& material,
 template void archiveBody(StateArchive&, const MaterialParameters&, std::optional<RezonedBody<2>>&);
 template void archiveBody(StateArchive&, const MaterialParameters&, std::optional<RezonedBody<3>>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/material/material.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Saves or restores a body of one patch with the history of its matter; an empty one is filled from the
 /// archive. Restoring throws `Error` if what was saved is not that of one mesh.
@@ -19,4 +19,4 @@ void archiveBody(StateArchive& archive, const MaterialParameters& material,
 void archiveMatrix(StateArchive& archive, const std::string& name, Eigen::Index rows,
                    Eigen::MatrixXd& matrix);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

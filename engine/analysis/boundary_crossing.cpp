@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 bool cross(const BoundaryPiece& a, const BoundaryPiece& b, double rounding) {
@@ -42,4 +42,4 @@ std::optional<BoundaryCrossing> findCrossing(const std::vector<BoundaryPiece>& p
                           first->face, second->face};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A straight piece of a boundary in the plane.
 struct BoundaryPiece {
@@ -24,4 +24,4 @@ struct BoundaryCrossing {
 /// the other one.
 std::optional<BoundaryCrossing> findCrossing(const std::vector<BoundaryPiece>& pieces, double rounding);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

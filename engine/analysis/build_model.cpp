@@ -25,7 +25,7 @@
 #include "engine/solid/follower_load.h"
 #include "engine/solid/point_count.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 /// Fills a model part by part: first the body, then loads and tools, then contact pairs, whose multipliers
 /// come last among the unknowns.
 template <int Dim>
@@ -454,4 +454,4 @@ template std::unique_ptr<Model<3>> buildModel(const Scene&);
 template std::unique_ptr<Model<2>> rebuildModel(const Scene&, const RezonedBody<2>&);
 template std::unique_ptr<Model<3>> rebuildModel(const Scene&, const RezonedBody<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/rezoning/state_transfer.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The model of a scene. Throws `Error` if it cannot be computed, every line with its place in the scene's
 /// file: patches that do not fit, folded geometry, supports that contradict each other or leave the body free
@@ -39,4 +39,4 @@ struct RezonedBody {
 template <int Dim>
 std::unique_ptr<Model<Dim>> rebuildModel(const Scene& scene, const RezonedBody<Dim>& rezoned);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/nurbs/inverse_map.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Of the smallest span: how far a new mesh may be from the old body.
@@ -153,4 +153,4 @@ Eigen::VectorXd FaceCarryOver::tractions(const Eigen::VectorXd& coefficients) co
   return result;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

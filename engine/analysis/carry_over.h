@@ -7,7 +7,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/rezoning/remesh.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Carries what a simulation has reached to a new mesh of one of its bodies, which has one patch. The other
 /// bodies keep all that they have, the multipliers and the friction of their faces among it.
@@ -68,4 +68,4 @@ class FaceCarryOver {
   std::vector<Place> places_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

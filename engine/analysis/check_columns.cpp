@@ -8,7 +8,7 @@
 #include "engine/core/nearest.h"
 #include "engine/scene/quantity_names.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -42,4 +42,4 @@ std::vector<InputProblem> unknownColumns(const Scene& scene, const std::vector<s
   return problems;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -13,7 +13,7 @@
 #include "engine/analysis/time_grid.h"
 #include "engine/core/input_error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr std::array kComponentNames{"x", "y", "z"};
@@ -251,4 +251,4 @@ template void requireSupported(const Scene&, const Model<3>&);
 template void requireHeldAxis(const Model<2>&);
 template void requireHeldAxis(const Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include "engine/analysis/model.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Path of what a load of the scene is given by: `loads[0].pressure`.
 std::string loadKey(const Scene& scene, std::size_t number);
@@ -34,4 +34,4 @@ void requireSupported(const Scene& scene, const Model<Dim>& model);
 template <int Dim>
 void requireHeldAxis(const Model<Dim>& model);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

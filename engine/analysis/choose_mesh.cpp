@@ -14,7 +14,7 @@
 #include "engine/nurbs/arc_length_curve.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Lengths that the scene leaves out, see `meshChoice`.
@@ -292,4 +292,4 @@ std::optional<Remeshing> chooseMesh(const MeshChoice& choice, const Simulation<2
   return meshing;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -10,7 +10,7 @@
 #include "engine/solid/face_place.h"
 #include "engine/tools/tool_path.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// How the new meshes of a run are chosen: what the scene says, and what it leaves out.
 struct MeshChoice {
@@ -41,4 +41,4 @@ bool mayBeTouched(const MeshChoice& choice, const Simulation<2>& simulation);
 std::optional<Remeshing> chooseMesh(const MeshChoice& choice, const Simulation<2>& simulation,
                                     const Patch<2>& deformed, const PartnerPlaces& before);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

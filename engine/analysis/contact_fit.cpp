@@ -8,7 +8,7 @@
 #include "engine/rezoning/remesh.h"
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// The gaps are nonlinear where the tool is round, and the areas change that they are averaged over.
@@ -148,4 +148,4 @@ std::optional<Patch<2>> fittedToTools(const Patch<2>& mesh, const std::vector<Re
   return fitted;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

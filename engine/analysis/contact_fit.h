@@ -7,7 +7,7 @@
 #include "engine/nurbs/patch.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A tool at rest that presses on the face of a new mesh.
 struct RestingTool {
@@ -41,4 +41,4 @@ std::vector<int> gapsToClose(const Eigen::VectorXd& gaps, const Eigen::VectorXd&
 std::optional<Patch<2>> fittedToTools(const Patch<2>& mesh, const std::vector<RestingTool>& tools,
                                       const ContactFitOptions& options);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

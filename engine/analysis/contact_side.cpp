@@ -2,7 +2,7 @@
 
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 double forceFromInside(const Body<Dim>& body, const ContactPair<Dim>& pair, const Eigen::VectorXd& x) {
@@ -35,4 +35,4 @@ double forceFromInside(const Body<Dim>& body, const ContactPair<Dim>& pair, cons
 template double forceFromInside(const Body<2>&, const ContactPair<2>&, const Eigen::VectorXd&);
 template double forceFromInside(const Body<3>&, const ContactPair<3>&, const Eigen::VectorXd&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

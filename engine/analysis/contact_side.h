@@ -3,7 +3,7 @@
 
 #include "engine/analysis/model.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Share of a pair's normal force, summed over the points in touch, that presses on the face from the side of
 /// the body: where the tool's normal and the face's outward normal point to the same side, so that gap and
@@ -11,4 +11,4 @@ namespace burnish {
 template <int Dim>
 double forceFromInside(const Body<Dim>& body, const ContactPair<Dim>& pair, const Eigen::VectorXd& x);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

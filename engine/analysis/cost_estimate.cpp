@@ -13,7 +13,7 @@
 #include "engine/solver/coupling_groups.h"
 #include "engine/solver/factor_size.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kMicrosecond = 1e-6, kNanosecond = 1e-9;
@@ -210,4 +210,4 @@ CostEstimate estimateCost(const Scene& scene, const Model<Dim>& model) {
 template CostEstimate estimateCost(const Scene&, const Model<2>&);
 template CostEstimate estimateCost(const Scene&, const Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

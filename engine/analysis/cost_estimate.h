@@ -2,7 +2,7 @@
 #include "engine/analysis/model.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What a run takes, told before it is computed: counts of what it does, times what they cost on the machine of
 /// docs/scale.md, whose cores are neither new nor old. Iterations that a run needs are not known beforehand; they
@@ -25,4 +25,4 @@ struct CostEstimate {
 template <int Dim>
 CostEstimate estimateCost(const Scene& scene, const Model<Dim>& model);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 Patch<2> deformedPatch(const Body<2>& body, const Eigen::VectorXd& x) {
   const Patch<2>& patch = body.patches.front();
@@ -19,4 +19,4 @@ Eigen::VectorXd valueAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficien
   return coefficients(Eigen::all, patch.basis().spanFunctions(span)) * patch.shape(span, xi).R;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

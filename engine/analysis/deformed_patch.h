@@ -4,7 +4,7 @@
 #include "engine/nurbs/patch.h"
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The patch of a body that has no other, with its control points where the displacements have moved them. x:
 /// unknowns, those of the displacements by the body's nodes.
@@ -14,4 +14,4 @@ Patch<2> deformedPatch(const Body<2>& body, const Eigen::VectorXd& x);
 Eigen::VectorXd valueAt(const Patch<2>& patch, const Eigen::MatrixXd& coefficients,
                         const Eigen::Vector2d& xi);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -11,7 +11,7 @@
 #include "engine/core/quoted.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// So many states are needed before sums of work mean much; a run of fewer is judged by its end alone.
@@ -267,4 +267,4 @@ void DoubtWatch<Dim>::archive(StateArchive& archive) {
 template class DoubtWatch<2>;
 template class DoubtWatch<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -14,7 +14,7 @@
 #include "engine/results/doubts.h"
 #include "engine/tools/tool_path.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Watches, state by state, for what makes the results of a run doubtful.
 template <int Dim>
@@ -70,4 +70,4 @@ class DoubtWatch {
   bool needsNewMesh_ = false;      ///< since a rezoning that failed; that of the next mesh begins anew
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/analysis/boundary_crossing.h"
 #include "engine/results/doubts.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kCrossing = 1e-9;  // relative to the body's size
@@ -65,4 +65,4 @@ bool anyFaceCrossesItself(const Model<Dim>& model, const ModelBody<Dim>& body, c
 template bool anyFaceCrossesItself(const Model<2>&, const ModelBody<2>&, const Eigen::VectorXd&);
 template bool anyFaceCrossesItself(const Model<3>&, const ModelBody<3>&, const Eigen::VectorXd&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

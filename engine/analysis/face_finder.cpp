@@ -8,7 +8,7 @@
 #include "engine/core/input_error.h"
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Shares of the parameter range of a curve at which it has these lengths. Throws `InputError` at `key` for
@@ -143,4 +143,4 @@ std::vector<int> FaceFinder<Dim>::nodesOn(const FacePlace& place) const {
 template class FaceFinder<2>;
 template class FaceFinder<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

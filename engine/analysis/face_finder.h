@@ -8,7 +8,7 @@
 #include "engine/solid/body.h"
 #include "engine/solid/face_place.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A face of a body that is joined to no other patch.
 struct OuterFace {
@@ -72,4 +72,4 @@ class FaceFinder {
   std::vector<Name> patches_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

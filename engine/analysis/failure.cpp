@@ -13,7 +13,7 @@
 #include "engine/analysis/release_end.h"
 #include "engine/scene/support_names.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Below it elements are so distorted that their shape is the likely reason.
@@ -174,4 +174,4 @@ Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation) {
 template Failure diagnose(const Scene&, const Simulation<2>&);
 template Failure diagnose(const Scene&, const Simulation<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What is known about a step that failed.
 struct Failure {
@@ -17,4 +17,4 @@ struct Failure {
 template <int Dim>
 Failure diagnose(const Scene& scene, const Simulation<Dim>& simulation);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

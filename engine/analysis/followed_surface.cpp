@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 FollowedSurface<Dim>::FollowedSurface(const Body<Dim>& body, const std::vector<FacePlace>& faces)
@@ -30,4 +30,4 @@ Eigen::Vector3d FollowedSurface<Dim>::normalNextTo(const Eigen::Vector3d& positi
 template class FollowedSurface<2>;
 template class FollowedSurface<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/solid/body.h"
 #include "engine/solid/face_place.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The undeformed faces that a tool follows. What a body does under the tool does not turn the force on it, so that the
 /// normal is a function of time, with the tool's motion, and no tangent of it is needed.
@@ -25,4 +25,4 @@ class FollowedSurface {
   MasterSearch<Dim> search_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

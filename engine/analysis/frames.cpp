@@ -6,7 +6,7 @@
 #include "engine/core/version.h"
 #include "engine/fields/body_fields.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Half the length that is drawn of an infinite tool, in sizes of the body.
@@ -226,4 +226,4 @@ template FrameRecord makeFrame(const Scene&, const Model<2>&, const std::vector<
 template FrameRecord makeFrame(const Scene&, const Model<3>&, const std::vector<Projection<3>>&, int, int,
                                double, const Eigen::VectorXd&, const Team&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include "engine/fields/projection.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The meshes of all bodies.
 template <int Dim>
@@ -21,4 +21,4 @@ FrameRecord makeFrame(const Scene& scene, const Model<Dim>& model,
                       const std::vector<Projection<Dim>>& projections, int index, int step, double t,
                       const Eigen::VectorXd& x, const Team& team);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 const char* carryKey(const Tool& tool, std::size_t dof) {
   constexpr std::array<const char*, kAllToolDofs> kKeys{"x", "y", "z", "moment", "spin", "spin", "spin"};
@@ -41,4 +41,4 @@ template std::string toolHeldBack(const Model<3>&);
 template std::string runawayKey(const Model<2>&);
 template std::string runawayKey(const Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 
 #include "engine/analysis/model.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Key under `carry` of a free degree of freedom of a tool.
 const char* carryKey(const Tool& tool, std::size_t dof);
@@ -24,4 +24,4 @@ std::string toolHeldBack(const Model<Dim>& model);
 template <int Dim>
 std::string runawayKey(const Model<Dim>& model);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -13,7 +13,7 @@
 #include "engine/solid/joined_body.h"
 #include "engine/solid/relief.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Shapes of the other dimension do not reach this point: the dimension follows from the shape.
@@ -141,4 +141,4 @@ NamedBody<Dim> makeBody(const Scene& scene, std::size_t number) {
 template NamedBody<2> makeBody(const Scene&, std::size_t);
 template NamedBody<3> makeBody(const Scene&, std::size_t);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -5,7 +5,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A body and the names of its patches; a body of a single shape is one patch without a name.
 template <int Dim>
@@ -21,4 +21,4 @@ struct NamedBody {
 template <int Dim>
 NamedBody<Dim> makeBody(const Scene& scene, std::size_t number = 0);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

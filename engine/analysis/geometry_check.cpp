@@ -12,7 +12,7 @@
 #include "engine/analysis/boundary_crossing.h"
 #include "engine/core/input_error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 template <int Dim>
@@ -138,4 +138,4 @@ void requireSoundGeometry(const Model<Dim>& model, const Scene& scene) {
 template void requireSoundGeometry(const Model<2>&, const Scene&);
 template void requireSoundGeometry(const Model<3>&, const Scene&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

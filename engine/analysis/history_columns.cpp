@@ -8,7 +8,7 @@
 #include <numbers>
 #include <span>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Words in which {} stands for the name of a tool, pair or body.
@@ -416,4 +416,4 @@ template std::vector<HistoryColumn> historyColumns(const Scene&, const Model<3>&
                                                    const std::vector<std::string>&,
                                                    const std::vector<std::string>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/analysis/model.h"
 #include "engine/analysis/state_quantities.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What a row of the history is made of.
 struct HistoryRow {
@@ -43,4 +43,4 @@ std::vector<HistoryColumn> historyColumns(const Scene& scene, const Model<Dim>& 
                                           const std::vector<std::string>& reactions,
                                           const std::vector<std::string>& measures);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

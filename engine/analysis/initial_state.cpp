@@ -12,7 +12,7 @@
 #include "engine/material/symmetric_tensor.h"
 #include "engine/rezoning/state_transfer.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Formulas of the initial state of a body; zero where the scene gives none.
@@ -169,4 +169,4 @@ template std::optional<ReferenceState> initialState(const Scene&, std::size_t, c
 template double settleInitialState(Simulation<2>&);
 template double settleInitialState(Simulation<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solid/reference_state.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Whether a body of the scene has been through something before the run.
 bool hasInitialState(const Scene& scene);
@@ -24,4 +24,4 @@ std::optional<ReferenceState> initialState(const Scene& scene, std::size_t numbe
 template <int Dim>
 double settleInitialState(Simulation<Dim>& simulation);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Poisson's ratios from which the displacement formulation of degree 1, 2, … (the last: and higher) is more
@@ -68,4 +68,4 @@ std::vector<InputProblem> lockingWarnings(const Scene& scene, const Model<Dim>& 
 template std::vector<InputProblem> lockingWarnings<2>(const Scene&, const Model<2>&);
 template std::vector<InputProblem> lockingWarnings<3>(const Scene&, const Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

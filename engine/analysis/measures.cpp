@@ -15,7 +15,7 @@
 #include "engine/fields/point_measure.h"
 #include "engine/scene/scene_places.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 Measures<Dim>::Measures(const Scene& scene, const Model<Dim>& model,
@@ -147,4 +147,4 @@ const std::map<std::string, FieldRecord>& Measures<Dim>::fields(std::size_t body
 template class Measures<2>;
 template class Measures<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/fields/projection.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The measures of a scene: columns of its history.
 template <int Dim>
@@ -45,4 +45,4 @@ class Measures {
   std::vector<Named> measures_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

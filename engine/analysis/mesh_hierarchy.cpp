@@ -6,7 +6,7 @@
 
 #include "engine/solid/nested_spaces.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Number of each free component among the free ones, -1 for the others.
@@ -73,4 +73,4 @@ Hierarchy makeHierarchy(const Model<Dim>& model, const MergeRule& rule, int coar
 template Hierarchy makeHierarchy(const Model<2>&, const MergeRule&, int);
 template Hierarchy makeHierarchy(const Model<3>&, const MergeRule&, int);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/analysis/archive_body.h"
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// On a new mesh the step begins at a quarter of the nominal one.
@@ -154,4 +154,4 @@ template SteppingState continuedSteps(const Simulation<3>&, const Model<3>&);
 template class MeshRenewal<2>;
 template class MeshRenewal<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

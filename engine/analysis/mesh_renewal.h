@@ -11,7 +11,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/results/run_account.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Gives a term what another one has been through.
 void copyHistory(Term& from, Term& to);
@@ -99,4 +99,4 @@ class MeshRenewal {
   std::optional<RezonedBody<Dim>> body_;  ///< as the present simulation began
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

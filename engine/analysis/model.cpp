@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 namespace {
 
@@ -181,4 +181,4 @@ double Model<Dim>::stabilisedShare(const std::vector<Eigen::VectorXd>& forces) c
 template class Model<2>;
 template class Model<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -22,7 +22,7 @@
 #include "engine/tools/tool.h"
 #include "engine/tools/tool_load.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Smallest force that counts over E L (E L² in 3D and axisymmetry).
 inline constexpr double kForceFloor = 1e-9;
@@ -195,4 +195,4 @@ class Model {
   Eigen::VectorXd origin_;  ///< prescribed displacements that the reference configuration holds already
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 template <int P>
@@ -109,4 +109,4 @@ NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const T
 template NearestPoint nearestPoint(const Body<2>&, const FacePlace&, const Tool&, double);
 template NearestPoint nearestPoint(const Body<3>&, const FacePlace&, const Tool&, double);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -3,7 +3,7 @@
 #include "engine/solid/face_place.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Gaps smaller than this share of a length count as touching.
 inline constexpr double kTouching = 1e-9;
@@ -19,4 +19,4 @@ struct NearestPoint {
 template <int Dim>
 NearestPoint nearestPoint(const Body<Dim>& body, const FacePlace& place, const Tool& tool, double t);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

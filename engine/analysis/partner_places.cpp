@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Mean of the displacements by reference volume.
@@ -57,4 +57,4 @@ PartnerPlaces partnerPlacesOnNewMesh(const Simulation<2>& simulation, const Mode
   return placesBeside(simulation, body, Eigen::Vector2d::Zero());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Where the tools and the bodies are that a body may touch.
 struct PartnerPlaces {
@@ -35,4 +35,4 @@ PartnerPlaces partnerPlaces(const Simulation<2>& simulation, const ModelBody<2>&
 /// The same once the displacements of the body count from this state on.
 PartnerPlaces partnerPlacesOnNewMesh(const Simulation<2>& simulation, const ModelBody<2>& body);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

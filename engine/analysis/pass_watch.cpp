@@ -4,7 +4,7 @@
 
 #include "engine/core/same_time.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 void PassWatch::update(const ToolPath& path, double time, bool touches) {
   if (touches && path.hasBeenLifted(time)) held_.note(time);
@@ -39,4 +39,4 @@ void PassWatch::archive(StateArchive& archive) {
   archive.part("held", held_);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -5,7 +5,7 @@
 #include "engine/results/doubts.h"
 #include "engine/tools/tool_path.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Watches, state by state, whether a tool on a path touches the body in each of its passes, and is off it when it has been
 /// lifted.
@@ -33,4 +33,4 @@ class PassWatch {
   Doubt doubt_, held_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/analysis/pressed_part.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 PathSteps::PathSteps(const Scene& scene) {
   for (std::size_t k = 0; k < scene.tools.size(); ++k) {
     const ToolSpec& tool = scene.tools[k];
@@ -67,4 +67,4 @@ void PathSteps::archive(StateArchive& archive) {
 template void PathSteps::measure(const Model<2>&, double);
 template void PathSteps::measure(const Model<3>&, double);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/scene/scene.h"
 #include "engine/tools/tool_path.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Chooses the steps of tools on paths by the half width of their contacts, which is measured when the force of a pass is
 /// full for the first time.
@@ -49,4 +49,4 @@ class PathSteps {
   std::vector<OfTool> tools_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

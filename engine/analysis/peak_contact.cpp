@@ -7,7 +7,7 @@
 
 #include "engine/results/doubts.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 namespace {
 
@@ -61,4 +61,4 @@ void PeakContact::archive(StateArchive& archive) {
 template void PeakContact::update(const FaceContact<2>&, const Eigen::VectorXd&, double);
 template void PeakContact::update(const FaceContact<3>&, const Eigen::VectorXd&, double);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

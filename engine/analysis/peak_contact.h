@@ -4,7 +4,7 @@
 #include "engine/contact/face_contact.h"
 #include "engine/core/state_archive.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Watches, state by state, whether the mesh resolves a contact when its force is largest: a tool that comes down is
 /// carried by one control point at first, on any mesh.
@@ -38,4 +38,4 @@ class PeakContact {
   bool all_ = false;         ///< these are all of the face
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -17,7 +17,7 @@
 #include "engine/core/input_error.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 template <int Dim>
@@ -427,4 +427,4 @@ template void prepareTools(const Scene&, Model<3>&);
 template SteppingState placeTools(const Scene&, Model<2>&);
 template SteppingState placeTools(const Scene&, Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

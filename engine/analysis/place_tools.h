@@ -3,7 +3,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solver/stepping.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Places the tools at the undeformed body and returns the state in which a run begins.
 ///
@@ -20,4 +20,4 @@ SteppingState placeTools(const Scene& scene, Model<Dim>& model);
 template <int Dim>
 void prepareTools(const Scene& scene, Model<Dim>& model);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 PressedPart pressedPart(const FaceContact<Dim>& contact) {
@@ -28,4 +28,4 @@ template PressedPart pressedPart(const FaceContact<3>&);
 template double halfWidthOf<2>(double);
 template double halfWidthOf<3>(double);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/contact/face_contact.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What of an undeformed face is pressed in the state that its contact has been evaluated at.
 struct PressedPart {
@@ -16,4 +16,4 @@ PressedPart pressedPart(const FaceContact<Dim>& contact);
 template <int Dim>
 double halfWidthOf(double area);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

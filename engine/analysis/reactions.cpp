@@ -7,7 +7,7 @@
 
 #include "engine/scene/support_names.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr std::array kAxisNames{"x", "y", "z"};
@@ -102,4 +102,4 @@ void Reactions<Dim>::forEachNumber(const F& f) {
 template class Reactions<2>;
 template class Reactions<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/fields/measure.h"
 #include "engine/results/run_account.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Follows what the supports of a scene carry: force of the body on each, and its moment about the origin.
 ///
@@ -47,4 +47,4 @@ class Reactions {
   std::vector<ReactionRecord> records_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -1,6 +1,6 @@
 #include "engine/analysis/recorder.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 void Recorder<Dim>::update(const MeasuredState& state, const Eigen::VectorXd& force,
@@ -24,4 +24,4 @@ void Recorder<Dim>::archive(StateArchive& archive) {
 template class Recorder<2>;
 template class Recorder<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/analysis/doubt_watch.h"
 #include "engine/analysis/run_history.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What is to be known of how the forces of an accepted state balance.
 struct Equilibrium {
@@ -67,4 +67,4 @@ class Recorder {
   DoubtWatch<Dim> doubts_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -11,7 +11,7 @@
 #include "engine/rezoning/state_transfer.h"
 #include "engine/solid/deformation_gradients.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -178,4 +178,4 @@ void Regrader::archive(StateArchive& archive) {
   MeshRenewal<3>::archive(archive);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/results/result.h"
 #include "engine/scene/path_mesh.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Grades the mesh of a box anew while a tool moves along its path, so that knot spans are fine where the tool is. The
 /// reference stays the undeformed box, and with it all parameters of the material: of the old mesh and the new one the
@@ -43,4 +43,4 @@ class Regrader : public MeshRenewal<3> {
   double due_;  ///< time at which the next mesh is tried
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

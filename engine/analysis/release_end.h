@@ -3,7 +3,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// When the force of a support or a tool that has let go is gone.
 inline double releaseEnd(const Scene& scene, const auto& spec) {
@@ -20,4 +20,4 @@ inline bool isReleasing(const Scene& scene, double t) {
   return std::ranges::any_of(scene.supports, fades) || std::ranges::any_of(scene.tools, fades);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

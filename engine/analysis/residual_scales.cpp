@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 template <int Dim>
 ResidualScales residualScales(const Model<Dim>& model) {
@@ -38,4 +38,4 @@ ResidualScales residualScales(const Model<Dim>& model) {
 template ResidualScales residualScales(const Model<2>&);
 template ResidualScales residualScales(const Model<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/analysis/frames.h"
 #include "engine/analysis/release_end.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Reference positions of the body's own nodes, 2 x nodes.
@@ -73,4 +73,4 @@ void Rezoner::archive(StateArchive& archive) {
   if (!records().empty()) archiveMatrix(archive, "origin", 2, origin_);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/analysis/rezoning_trigger.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Remeshes a plane or axisymmetric body of one patch while a tool or another body moves along it, so that its
 /// surface is always resolved where that is. Other bodies keep their meshes. `RezoningTrigger` decides when, `chooseMesh` how; `CarryOver` takes the
@@ -44,4 +44,4 @@ class Rezoner : public MeshRenewal<2> {
   Eigen::MatrixXd origin_;  ///< 2 x nodes of the body: see `frameMesh`
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

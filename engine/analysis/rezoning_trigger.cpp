@@ -5,7 +5,7 @@
 #include "engine/analysis/deformed_patch.h"
 #include "engine/rezoning/remesh.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 RezoningTrigger::RezoningTrigger(const RezoningOptions& options, std::size_t body, double travel,
                                  const Simulation<2>& initial)
@@ -56,4 +56,4 @@ void RezoningTrigger::archive(StateArchive& archive) {
   failedLast_ = failedLast == 1;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Decides when a body is remeshed: a tool or another body that it may touch has travelled far enough since the
 /// last time, or its mesh is stretched or distorted too much.
@@ -39,4 +39,4 @@ class RezoningTrigger {
   bool failedLast_ = false;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

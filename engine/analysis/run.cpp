@@ -37,7 +37,7 @@
 #include "engine/scene/scene_places.h"
 #include "engine/solver/stepping.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// One run of a scene of given dimension.
@@ -403,4 +403,4 @@ RunSummary resumeRun(const Scene& scene, const std::filesystem::path& directory,
   return runOrResume(scene, directory, true, options, observer);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

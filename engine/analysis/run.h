@@ -10,7 +10,7 @@
 #include "engine/scene/scene.h"
 #include "engine/solver/newton.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 struct RunOptions {
   /// 0: as many as the machine has, one for each of several ranks; results do not depend on it.
@@ -72,4 +72,4 @@ Scene readResultScene(const std::filesystem::path& directory);
 RunSummary resumeRun(const Scene& scene, const std::filesystem::path& directory, const RunOptions& options,
                      RunObserver& observer);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

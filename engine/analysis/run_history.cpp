@@ -10,7 +10,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/fields/body_fields.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// The field of a material law that has columns of its own in the history, zero for laws without it.
@@ -285,4 +285,4 @@ void RunHistory<Dim>::archive(StateArchive& archive) {
 template class RunHistory<2>;
 template class RunHistory<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

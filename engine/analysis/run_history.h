@@ -11,7 +11,7 @@
 #include "engine/fields/projection.h"
 #include "engine/fields/span_extremes.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Follows a run from state to state: sums the external work, keeps extremes, and makes the history's rows.
 template <int Dim>
@@ -96,4 +96,4 @@ class RunHistory {
   double projectionSeconds_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

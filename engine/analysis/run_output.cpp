@@ -10,7 +10,7 @@
 #include "engine/results/check_records.h"
 #include "engine/results/result_reader.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Hands the values of the first rank to all others.
@@ -134,4 +134,4 @@ void RunOutput::archive(StateArchive& archive) {
 template void RunOutput::appendRow(const Recorder<2>&, int, int);
 template void RunOutput::appendRow(const Recorder<3>&, int, int);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

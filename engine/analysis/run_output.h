@@ -12,7 +12,7 @@
 #include "engine/results/run_files.h"
 #include "engine/solver/stepping.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What a run writes and shows under way: its result set, the rows of its history and how its steps converge.
 /// Of several ranks the first one does so, and the others wait for it.
@@ -72,4 +72,4 @@ class RunOutput {
   double lastRowTime_ = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

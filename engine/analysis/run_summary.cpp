@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 void RunSummary::archive(StateArchive& archive) {
   archive.field("approach_steps", approachSteps);
@@ -29,4 +29,4 @@ void RunSummary::archive(StateArchive& archive) {
   archive.field("seconds.total", timings.total);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -5,7 +5,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/results/run_account.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What one of several ranks has of a run.
 struct RankWork {
@@ -26,4 +26,4 @@ struct RunSummary : RunAccount {
   void archive(StateArchive& archive);
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -24,7 +24,7 @@
 #include "engine/scene/path_mesh.h"
 #include "engine/scene/scene_places.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 template <int Dim>
@@ -225,4 +225,4 @@ template std::vector<InputProblem> sceneWarnings<2>(const Scene&, const Model<2>
 template std::vector<InputProblem> sceneWarnings<3>(const Scene&, const Model<3>&,
                                                     const std::vector<std::string>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -8,7 +8,7 @@
 #include "engine/results/result.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What can be said of a scene without computing it.
 struct SceneReport {
@@ -37,4 +37,4 @@ SceneReport reportOf(const Scene& scene);
 /// The columns of the history alone. Throws as `reportOf` does.
 std::vector<std::string> historyColumnsOf(const Scene& scene);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

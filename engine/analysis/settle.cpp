@@ -5,7 +5,7 @@
 
 #include "engine/analysis/contact_fit.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Terms of the contacts of a body with tools that are there and with other bodies.
@@ -122,4 +122,4 @@ Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int p
 template Settlement settle(Simulation<2>&, const ModelBody<2>&, int);
 template Settlement settle(Simulation<3>&, const ModelBody<3>&, int);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

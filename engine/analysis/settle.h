@@ -2,7 +2,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/solver/newton.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// By this factor the augmentation parameter is larger while a simulation on a new mesh settles: with
 /// multipliers that are only guessed, it is the gaps that tell rightly which control points are in contact.
@@ -20,4 +20,4 @@ struct Settlement {
 template <int Dim>
 Settlement settle(Simulation<Dim>& simulation, const ModelBody<Dim>& body, int parts);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

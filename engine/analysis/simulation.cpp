@@ -8,7 +8,7 @@
 #include "engine/analysis/travelling_increment.h"
 #include "engine/solver/multigrid.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 namespace {
 
@@ -103,4 +103,4 @@ template std::unique_ptr<Simulation<3>> letGo(const Scene&, Simulation<3>&, cons
 template struct Simulation<2>;
 template struct Simulation<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/solver/stepping.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The projections of a model, one per body.
 template <int Dim>
@@ -56,4 +56,4 @@ struct Simulation {
 template <int Dim>
 std::unique_ptr<Simulation<Dim>> letGo(const Scene& scene, Simulation<Dim>& before, const Team& team);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kLargestStrain = 3.0;    ///< up to which a law is looked at
@@ -54,4 +54,4 @@ std::vector<InputProblem> softeningWarnings(const Material& material) {
       material);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 void RezoningSums::add(const RezoningRecord& rezoning) {
   ++count;
@@ -58,4 +58,4 @@ void StateQuantities::archive(StateArchive& archive) {
   archive.fixedField("measured", measured);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

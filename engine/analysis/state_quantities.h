@@ -7,7 +7,7 @@
 #include "engine/results/run_account.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What meshing a body anew has cost so far.
 struct RezoningSums {
@@ -94,4 +94,4 @@ struct StateQuantities {
   void archive(StateArchive& archive);
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

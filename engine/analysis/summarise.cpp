@@ -5,7 +5,7 @@
 
 #include "engine/core/shares.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// ε of the first contact pair, or else of the first face that may touch itself; 0 without.
@@ -122,4 +122,4 @@ template int numEquations(const Model<3>&);
 template void describeEnd(RunSummary&, const Simulation<2>&);
 template void describeEnd(RunSummary&, const Simulation<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

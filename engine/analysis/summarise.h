@@ -3,7 +3,7 @@
 #include "engine/analysis/simulation.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Takes the residuals of an accepted step into the summary.
 void addResiduals(RunSummary& summary, const NewtonReport& report);
@@ -25,4 +25,4 @@ int numEquations(const Model<Dim>& model);
 template <int Dim>
 void describeEnd(RunSummary& summary, const Simulation<Dim>& simulation);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

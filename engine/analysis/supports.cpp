@@ -13,7 +13,7 @@
 #include "engine/analysis/release_end.h"
 #include "engine/core/input_error.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr std::array<const char*, 3> kComponents{"x", "y", "z"};
@@ -234,4 +234,4 @@ void Supports<Dim>::requireFinite(const std::vector<double>& times) const {
 template class Supports<2>;
 template class Supports<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

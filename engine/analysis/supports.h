@@ -8,7 +8,7 @@
 #include "engine/analysis/face_finder.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Displacement components that the supports of a scene prescribe.
 ///
@@ -76,4 +76,4 @@ class Supports {
   std::vector<double> times_;  ///< at which two supports of one component are compared
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/scene/path_mesh.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Ends of passes, and the times at which the tool has been lifted after them: what is left shows then.
@@ -80,4 +80,4 @@ std::vector<double> frameTimes(const Scene& scene) {
   return times;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

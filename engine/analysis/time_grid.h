@@ -3,7 +3,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A time at which a step ends.
 struct TimePoint {
@@ -21,4 +21,4 @@ std::vector<TimePoint> timeGrid(const Scene& scene, const std::vector<double>& c
 /// Times of the frames of a run that comes to its end, that at the start first.
 std::vector<double> frameTimes(const Scene& scene);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

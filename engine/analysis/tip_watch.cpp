@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 /// Points per span and direction, between which a tip cannot hide.
@@ -101,4 +101,4 @@ std::string TipWatch<Dim>::sentence(std::size_t pair, const FoundTip& tip) const
 template class TipWatch<2>;
 template class TipWatch<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

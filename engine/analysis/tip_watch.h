@@ -7,7 +7,7 @@
 #include "engine/solid/face_quadrature.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// A tip or an edge that is in the body. Depth 0: there is none.
 struct FoundTip {
@@ -39,4 +39,4 @@ class TipWatch {
   std::vector<FaceQuadrature<Dim>> samples_;  ///< per contact pair: many points in every span
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

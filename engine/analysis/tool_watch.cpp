@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kReachedSpanShare = 0.1;
@@ -57,4 +57,4 @@ bool ToolWatch<Dim>::isReached(const Face& face, const ToolPose& pose, const Eig
 template class ToolWatch<2>;
 template class ToolWatch<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -7,7 +7,7 @@
 #include "engine/solid/face_quadrature.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// Watches whether tools reach into outer faces of the body that they have no contact with, for instance
 /// where one slides over the end of its face: nothing holds them there.
@@ -37,4 +37,4 @@ class ToolWatch {
   std::vector<Face> faces_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -9,7 +9,7 @@
 #include "engine/scene/path_of_tool.h"
 #include "engine/tools/tool_shape.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 using TimeFunction = std::function<double(double)>;
@@ -111,4 +111,4 @@ std::vector<double> cornersOf(const ToolSpec& spec) {
   return times;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/tools/tool.h"
 #include "engine/tools/tool_load.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// The tool of a scene. Its free degrees of freedom are numbered from `firstUnknown` on; bodySize scales the
 /// unknown of a free turn.
@@ -20,4 +20,4 @@ std::unique_ptr<ToolLoad> makeToolLoad(const ToolSpec& spec, const Scene& scene,
 /// Times at which a motion or a load of the tool has a corner.
 std::vector<double> cornersOf(const ToolSpec& spec);
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include "engine/nurbs/collocation.h"
 #include "engine/nurbs/refinement.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 namespace {
 
 constexpr double kSameShare = 1e-9;
@@ -114,4 +114,4 @@ void TravellingIncrement<Dim>::move(double before, double to, Eigen::VectorXd& i
 template class TravellingIncrement<2>;
 template class TravellingIncrement<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -3,7 +3,7 @@
 
 #include "engine/analysis/model.h"
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 /// What a tool that travels over a face does to a body in one step it does to what lies a way further on in the next
 /// one: the increment of the unknowns, moved along with the tool, is a better start than the increment itself, of
@@ -38,4 +38,4 @@ class TravellingIncrement {
   std::vector<Along> along_;  ///< of the face that is touched; empty: increments stay as they are
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <variant>
 
-namespace burnish {
+namespace burnish::inline analysis {
 
 std::vector<InputProblem> recoveryWarnings(const MaterialParameters& material) {
   return std::visit(
@@ -25,4 +25,4 @@ std::vector<InputProblem> recoveryWarnings(const MaterialParameters& material) {
       material);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline analysis

@@ -13,7 +13,7 @@
 #include "engine/core/module_function.h"
 #include "engine/core/reading_process.h"
 
-namespace burnish {
+namespace burnish::inline cad {
 namespace {
 
 constexpr Module kModule{"burnish_occt.so", "OpenCASCADE", "BURNISH_OCCT", "burnish-cad"};
@@ -181,4 +181,4 @@ void writeCad(const std::vector<CadBody>& bodies, LengthUnit unit, CadFormat for
   if (!problem.text.empty()) throw Error(fmt::format("{}: {}", file, problem.text));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline cad

@@ -10,7 +10,7 @@
 #include "engine/core/length_unit.h"
 
 /// STEP and IGES files, by OpenCASCADE.
-namespace burnish {
+namespace burnish::inline cad {
 
 /// A NURBS surface in space. points: first direction fastest.
 struct CadFace {
@@ -98,4 +98,4 @@ using WriteCadFunction = void(const std::vector<CadBody>& bodies, LengthUnit uni
                               const std::string& file, CadProblem& problem);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline cad

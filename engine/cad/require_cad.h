@@ -1,8 +1,8 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline cad {
 
 /// Loads the library with OpenCASCADE. Throws `Error` if it is not there.
 void requireCad();
 
-}  // namespace burnish
+}  // namespace burnish::inline cad

@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Smallest integral of a basis function over the contact face, as a share of the largest, that an averaged
@@ -69,4 +69,4 @@ void requireAveragedGaps(const Eigen::VectorXd& weights, bool axisymmetric) {
 template int contactPoints(const Body<2>&, int, std::optional<int>);
 template int contactPoints(const Body<3>&, int, std::optional<int>);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

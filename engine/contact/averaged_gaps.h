@@ -5,7 +5,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// What contact with a tool and of a face with itself have in common at the last evaluated state; functions
 /// are those of the face's trace.
@@ -53,4 +53,4 @@ Eigen::MatrixXd averagedGapTangent(const Eigen::Ref<const Eigen::VectorXd>& D, d
 /// axis).
 void requireAveragedGaps(const Eigen::VectorXd& weights, bool axisymmetric);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

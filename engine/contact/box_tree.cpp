@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -64,4 +64,4 @@ std::vector<int> BoxTree::meeting(const Eigen::Vector3d& low, const Eigen::Vecto
   return numbers;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

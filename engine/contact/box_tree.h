@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Finds those of many boxes that meet a box.
 class BoxTree {
@@ -21,4 +21,4 @@ class BoxTree {
   std::shared_ptr<const Impl> impl_;  ///< null without boxes
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -1,6 +1,6 @@
 #include "engine/contact/carried_frame.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 CarriedFrame<Dim> carriedFrame(const Eigen::Matrix<double, Dim, Dim - 1>& origin,
@@ -44,4 +44,4 @@ template CarriedFrame<3> carriedFrame(const Eigen::Matrix<double, 3, 2>&, const 
 template Eigen::Matrix<double, 2, 1> anyFrame(const Eigen::Vector2d&);
 template Eigen::Matrix<double, 3, 2> anyFrame(const Eigen::Vector3d&);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

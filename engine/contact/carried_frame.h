@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <array>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Unit vectors e_α across a normal n, one in the plane, two in space, with their derivatives by n.
 template <int Dim>
@@ -27,4 +27,4 @@ CarriedFrame<Dim> carriedFrame(const Eigen::Matrix<double, Dim, Dim - 1>& origin
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim - 1> anyFrame(const Eigen::Vector<double, Dim>& normal);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

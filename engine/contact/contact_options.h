@@ -7,7 +7,7 @@
 #include "engine/core/enum_names.h"
 #include "engine/core/formula.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A gap limit that no gap reaches.
 inline constexpr double kAnyGap = std::numeric_limits<double>::infinity();
@@ -19,14 +19,12 @@ enum class Enforcement {
   PointwisePenalty              ///< "knot-to-surface": penalty at every quadrature point
 };
 
-template <>
-struct EnumNames<Enforcement> {
-  static constexpr std::array values{
-      std::pair{"augmented-lagrangian", Enforcement::AugmentedLagrangian},
-      std::pair{"integral-augmented-lagrangian", Enforcement::IntegralAugmentedLagrangian},
-      std::pair{"penalty", Enforcement::MortarPenalty},
-      std::pair{"pointwise-penalty", Enforcement::PointwisePenalty}};
-};
+constexpr auto enumNames(std::type_identity<Enforcement>) {
+  return std::array{std::pair{"augmented-lagrangian", Enforcement::AugmentedLagrangian},
+                    std::pair{"integral-augmented-lagrangian", Enforcement::IntegralAugmentedLagrangian},
+                    std::pair{"penalty", Enforcement::MortarPenalty},
+                    std::pair{"pointwise-penalty", Enforcement::PointwisePenalty}};
+}
 
 /// Whether a method closes gaps that are averaged over the functions of the face.
 constexpr bool averagesGaps(Enforcement method) {
@@ -112,4 +110,4 @@ void describe(Visitor& v, ContactOptions& s) {
   describeFriction(v, s);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

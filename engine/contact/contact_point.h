@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Gap and slip at one quadrature point of a contact face ("slave"), as functions of the unknowns around it:
 /// the displacement components of the slave's functions there, function by function, then the partner's
@@ -24,4 +24,4 @@ struct ContactPoint {
   Eigen::Matrix<double, Eigen::Dynamic, Dim - 1> dSlip;        ///< S: ∂(e_α · s), unknowns
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Integrals over the reference face at one state.
 template <int Dim>
@@ -324,4 +324,4 @@ void ContactTerm<Dim>::measureReaction(const ToolPose& pose, const Mortar& morta
 template class ContactTerm<2>;
 template class ContactTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include "engine/contact/tool_contact.h"
 #include "engine/contact/tool_passage.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Frictionless contact of one face of the body with a rigid tool: mortar methods and point-wise penalty.
 template <int Dim>
@@ -75,4 +75,4 @@ class ContactTerm final : public FaceContact<Dim> {
   ToolPassage passage_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

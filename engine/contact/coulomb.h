@@ -4,7 +4,7 @@
 
 #include "engine/contact/friction_law.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Tangential traction of friction at a point, or of an average, and its derivatives. It points along the
 /// slip of the slave and acts on the partner; D components across the normal.
@@ -37,4 +37,4 @@ FrictionTraction<D> coulombTraction(const Eigen::Vector<double, D>& trial, doubl
   return result;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -7,7 +7,7 @@
 
 #include "engine/contact/coulomb.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Friction of all points on a partner that turns freely and in itself, as a roller or a ball does. While nothing sticks, in
 /// space while most of it also has one direction, friction turns the partner with all that it has: no state is in
@@ -52,4 +52,4 @@ class Drag {
   double all_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

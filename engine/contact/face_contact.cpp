@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 void FaceContact<Dim>::keepInTouch(std::vector<const FaceContact*> others) {
@@ -208,4 +208,4 @@ void FaceContact<Dim>::acceptSlipped() {
 template class FaceContact<2>;
 template class FaceContact<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -11,7 +11,7 @@
 #include "engine/solid/face_quadrature.h"
 #include "engine/solver/term.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Contact quantities at the last evaluated state; the partner is a tool or faces of a body. Methods that
 /// close averaged gaps have g_A and λ̂_A per function, the integral one gap and contact pressure -p where the
@@ -198,4 +198,4 @@ class FaceContact : public Term {
   std::vector<const FaceContact*> others_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

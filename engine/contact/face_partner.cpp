@@ -10,7 +10,7 @@
 #include "engine/contact/unknown_lists.h"
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Cosine between the outward normals of partners: at least 120 degrees apart.
@@ -575,4 +575,4 @@ void FacePartner<Dim>::archive(StateArchive& archive) {
 template class FacePartner<2>;
 template class FacePartner<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -13,7 +13,7 @@
 #include "engine/contact/segments.h"
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A slave that hangs over a free end by less than this part of the last span there still has a partner.
 inline constexpr double kOverhang = 0.25;
@@ -177,4 +177,4 @@ class FacePartner final : public Partner<Dim> {
   Frame origin_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

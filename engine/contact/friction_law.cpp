@@ -8,7 +8,7 @@
 
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 const std::vector<std::string>& FrictionLaw::variables() {
   static const std::vector<std::string> names{"p", "slip", "t", "X", "Y", "Z"};
@@ -59,4 +59,4 @@ FrictionBound FrictionLaw::at(const FrictionPlace& place, double pressure) const
   return bound;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -8,7 +8,7 @@
 #include "engine/contact/contact_options.h"
 #include "engine/core/formula.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// What Coulomb's coefficient may depend on beside the pressure.
 struct FrictionPlace {
@@ -60,4 +60,4 @@ class FrictionLaw {
   double begin_ = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -1,6 +1,6 @@
 #include "engine/contact/friction_work.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 void FrictionWork::start(const Eigen::VectorXd& x) {
   if (accepted_.x.size() == 0) {
@@ -21,4 +21,4 @@ void FrictionWork::archive(StateArchive& archive) {
   if (archive.restores()) trial_ = accepted_;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -3,7 +3,7 @@
 
 #include "engine/contact/partner.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Work that friction takes from the bodies and the tool of a pair, by the trapezoidal rule over the steps
 /// like the work of tools and loads:
@@ -51,4 +51,4 @@ class FrictionWork {
   State accepted_, trial_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

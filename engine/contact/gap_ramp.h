@@ -1,6 +1,6 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// What is added to gaps of two faces while their interference is resolved: the amount at the time `from`,
 /// nothing from `until` on. Without an amount nothing at all.
@@ -12,4 +12,4 @@ struct GapRamp {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

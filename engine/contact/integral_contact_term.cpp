@@ -11,7 +11,7 @@
 
 #include "engine/contact/unknown_lists.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -719,4 +719,4 @@ double IntegralContactTerm<Dim>::smallestReferenceGap(const GapAt& gapAt) const 
 template class IntegralContactTerm<2>;
 template class IntegralContactTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -10,7 +10,7 @@
 #include "engine/contact/partner.h"
 #include "engine/contact/relative_length.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Contact of one face ("slave") with a partner, complementarity at the quadrature points
 /// ("integral" augmented Lagrangian; Poulios and Renard, Comput. Struct. 153 (2015)). The multiplier
@@ -170,4 +170,4 @@ class IntegralContactTerm final : public FaceContact<Dim> {
   double time_ = 0.0;                       ///< of the evaluation
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

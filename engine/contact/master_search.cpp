@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 template <int Dim>
@@ -128,4 +128,4 @@ std::optional<Foot<Dim>> MasterSearch<Dim>::nearest(const MasterSurface<Dim>& su
 template class MasterSearch<2>;
 template class MasterSearch<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -7,7 +7,7 @@
 #include "engine/contact/box_tree.h"
 #include "engine/contact/master_surface.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Finds the spans of a surface, in the place where it was when this was made, that are near to something, by
 /// their boxes.
@@ -51,4 +51,4 @@ class MasterSearch {
   std::vector<int> others_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

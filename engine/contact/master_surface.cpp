@@ -12,7 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 constexpr int kMaxSteps = 200;
@@ -812,4 +812,4 @@ template struct Foot<3>;
 template class MasterSurface<2>;
 template class MasterSurface<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -10,7 +10,7 @@
 #include "engine/solid/body.h"
 #include "engine/solid/face_place.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A place on a surface of one or several faces. A place on a knot belongs to any of the spans around it.
 template <int Dim>
@@ -215,4 +215,4 @@ class MasterSurface {
   std::vector<Face> faces_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

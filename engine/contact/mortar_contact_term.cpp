@@ -5,7 +5,7 @@
 
 #include "engine/contact/unknown_lists.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Part of its integral that R_A has to keep over points with partners to take part.
@@ -487,4 +487,4 @@ typename MortarContactTerm<Dim>::Components MortarContactTerm<Dim>::lastTraction
 template class MortarContactTerm<2>;
 template class MortarContactTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include "engine/contact/drag.h"
 #include "engine/contact/partner_term.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Mortar contact of one face ("slave") with a partner, with Coulomb friction: augmented Lagrangian with
 /// multipliers λ_A and, with friction, τ_A of the slave's control points; or a penalty, in which λ_A = 0, τ_A is
@@ -128,4 +128,4 @@ class MortarContactTerm final : public PartnerTerm<Dim> {
   std::vector<FrictionTraction<Dim - 1>> tractions_;  ///< τᵉ_A of the last evaluation; empty without friction
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 constexpr double kHeldBelow = 0.5;
@@ -80,4 +80,4 @@ template MultiplierBasis::MultiplierBasis(const TensorBasis<2>&, const std::vect
 template HeldControlPoints heldControlPoints(const Body<2>&, int, FaceId, const std::vector<bool>&);
 template HeldControlPoints heldControlPoints(const Body<3>&, int, FaceId, const std::vector<bool>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Functions M_A of a field of multipliers on a contact face: those R_a of the face's trace, but for control
 /// points that a support holds in the direction of the constraint. There one multiplier is too many, and
@@ -46,4 +46,4 @@ template <int Dim>
 HeldControlPoints heldControlPoints(const Body<Dim>& body, int patch, FaceId face,
                                     const std::vector<bool>& held);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -1,6 +1,6 @@
 #include "engine/contact/pair_rows.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 PairRows<Dim>::PairRows(const Eigen::Ref<const Eigen::VectorXd>& R, const Foot<Dim>& foot, int others)
@@ -120,4 +120,4 @@ Eigen::MatrixXd PairRows<Dim>::frictionTangent(const Vector& traction,
 template class PairRows<2>;
 template class PairRows<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

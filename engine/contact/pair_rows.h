@@ -5,7 +5,7 @@
 #include "engine/contact/carried_frame.h"
 #include "engine/contact/master_surface.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Variations at a slave point x = Σ R_a x_a and its foot y = Σ R_b y_b as rows over the n displacement
 /// components of the slave's functions, then of the foot's nodes, then of others if there are some.
@@ -76,4 +76,4 @@ class PairRows {
   Rows dNormal_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -11,7 +11,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// What is wanted of a contact point: gap and normal, with first, with second derivatives of the gap.
 enum class PointDetail { Gap, Derivatives, SecondDerivatives };
@@ -77,4 +77,4 @@ class Partner {
 template <int Dim>
 using PartnerMaker = std::function<std::unique_ptr<Partner<Dim>>(const FaceQuadrature<Dim>&)>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 #include "engine/contact/mortar_contact_term.h"
 #include "engine/contact/pointwise_penalty_term.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 std::unique_ptr<FaceContact<Dim>> makePartnerContact(const Body<Dim>& body, int patch, FaceId face,
@@ -36,4 +36,4 @@ template std::unique_ptr<FaceContact<3>> makePartnerContact(const Body<3>&, int,
                                                             int, const std::vector<bool>&,
                                                             const std::vector<DefinitionSpec>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

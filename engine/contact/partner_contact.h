@@ -5,7 +5,7 @@
 #include "engine/contact/face_contact.h"
 #include "engine/contact/partner.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Contact of a face with a partner, by the method that the options say.
 /// options: with a parameter. firstMultiplier: number of the first of the pair's multipliers among the
@@ -18,4 +18,4 @@ std::unique_ptr<FaceContact<Dim>> makePartnerContact(const Body<Dim>& body, int 
                                                      const std::vector<bool>& held,
                                                      const std::vector<DefinitionSpec>& definitions);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

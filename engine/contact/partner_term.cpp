@@ -4,7 +4,7 @@
 
 #include "engine/contact/unknown_lists.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Share of the size of a body that no rounding of a gap reaches.
@@ -176,4 +176,4 @@ void PartnerTerm<Dim>::archive(StateArchive& archive) {
 template class PartnerTerm<2>;
 template class PartnerTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -8,7 +8,7 @@
 #include "engine/contact/partner.h"
 #include "engine/contact/remembered_tractions.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Contact of one face ("slave") with a partner, with Coulomb friction: what methods have in common that have one
 /// rule for all states of a step.
@@ -98,4 +98,4 @@ class PartnerTerm : public FaceContact<Dim> {
   TractionsOf tractionsOf_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 
 #include "engine/contact/unknown_lists.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A quadrature point that is pressed.
 template <int Dim>
@@ -132,4 +132,4 @@ void PointwisePenaltyTerm<Dim>::addSpan(std::size_t e, const std::vector<Touch>&
 template class PointwisePenaltyTerm<2>;
 template class PointwisePenaltyTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 
 #include "engine/contact/partner_term.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Point-wise penalty contact of one face ("slave") with a partner, with Coulomb friction. At every quadrature
 /// point with a partner, with N = ∂g and T, S of `ContactPoint`, τ_n the traction of the accepted state there
@@ -62,4 +62,4 @@ class PointwisePenaltyTerm final : public PartnerTerm<Dim> {
   Components tractions_;  ///< τᵉ of the last evaluation, quadrature points; with friction
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

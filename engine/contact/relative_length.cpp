@@ -5,7 +5,7 @@
 
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Whether a corner of a span lies at its end in direction d.
@@ -65,4 +65,4 @@ double RelativeLength<P>::largestOn(int span) const {
 template class RelativeLength<1>;
 template class RelativeLength<2>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

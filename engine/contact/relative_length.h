@@ -5,7 +5,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Lengths of spans over their mean as a continuous function: at corners of spans the mean of those that meet
 /// there, multilinear between.
@@ -24,4 +24,4 @@ class RelativeLength {
   std::vector<std::array<double, 1U << P>> corners_;  ///< per span, first direction fastest
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

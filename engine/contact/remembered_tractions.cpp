@@ -1,6 +1,6 @@
 #include "engine/contact/remembered_tractions.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 void RememberedTractions<Dim>::accept(const Components& tractions, const Components& along) {
@@ -34,4 +34,4 @@ void RememberedTractions<Dim>::archive(StateArchive& archive) {
 template class RememberedTractions<2>;
 template class RememberedTractions<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

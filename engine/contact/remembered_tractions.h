@@ -3,7 +3,7 @@
 
 #include "engine/core/state_archive.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Tangential tractions that penalties of friction remember from the accepted state, of functions or points of
 /// a face, by their components in the frames of the step that comes.
@@ -36,4 +36,4 @@ class RememberedTractions {
   Components along_;  ///< unit vectors: of the first parameter
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// Parts in which a span is looked at before intervals are halved.
@@ -76,4 +76,4 @@ int segmentPoints(const Patch<1, 2>& slave) {
   return isPlain ? degree + 1 : std::max(2 * degree, degree + 1);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include "engine/contact/master_surface.h"
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A part of a span of a plane slave face whose points have their feet on one span of the master, or on one
 /// kink, or no partner.
@@ -26,4 +26,4 @@ std::vector<Segment> segmentsOf(double begin, double end,
 /// any other.
 int segmentPoints(const Patch<1, 2>& slave);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -4,7 +4,7 @@
 #include "engine/contact/partner_contact.h"
 #include "engine/contact/tool_partner.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 GapAt gapTo(const Tool& tool, const ToolPose& pose) {
   return [&tool, pose](const Eigen::Vector3d& x) { return tool.query(pose, x).gap; };
@@ -46,4 +46,4 @@ template std::unique_ptr<FaceContact<3>> makeToolContact(const Body<3>&, int, Fa
 template double meanControlPointDistance(const Patch<2>&, FaceId);
 template double meanControlPointDistance(const Patch<3>&, FaceId);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

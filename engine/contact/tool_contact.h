@@ -6,7 +6,7 @@
 #include "engine/contact/face_contact.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Gaps to a tool at a place.
 GapAt gapTo(const Tool& tool, const ToolPose& pose);
@@ -25,4 +25,4 @@ std::unique_ptr<FaceContact<Dim>> makeToolContact(const Body<Dim>& body, int pat
 template <int Dim>
 double meanControlPointDistance(const Patch<Dim>& patch, FaceId face);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 template <int Dim>
 ToolPartner<Dim>::ToolPartner(const Tool& tool) : tool_(tool), passage_(tool) {
@@ -263,4 +263,4 @@ void ToolPartner<Dim>::archive(StateArchive& archive) {
 template class ToolPartner<2>;
 template class ToolPartner<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -6,7 +6,7 @@
 #include "engine/contact/partner.h"
 #include "engine/contact/tool_passage.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// A rigid tool as the partner of a face. Its motion is prescribed, or free in some degrees of freedom, which
 /// are the partner's unknowns.
@@ -89,4 +89,4 @@ PartnerMaker<Dim> onTool(const Tool& tool) {
   return [&tool](const FaceQuadrature<Dim>&) { return std::make_unique<ToolPartner<Dim>>(tool); };
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline contact {
 namespace {
 
 /// A point that is deeper inside a round tool than this share of its radius is about to leave it on the far
@@ -43,4 +43,4 @@ bool ToolPassage::hasPassedThrough() const {
   return false;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

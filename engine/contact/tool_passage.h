@@ -4,7 +4,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Watches that the points of a face do not go through a tool: where they are too deep inside, or have gone
 /// through a thin part of it since the accepted state, the gap at their place tells nothing any more.
@@ -40,4 +40,4 @@ class ToolPassage {
   Eigen::VectorXd trial_;     ///< in the last one; both empty for a tool of any depth
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 void sortOnce(std::vector<int>& unknowns) {
   std::sort(unknowns.begin(), unknowns.end());
@@ -37,4 +37,4 @@ std::vector<int> placesAmong(std::vector<int>& list, std::span<const int> others
   return places;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

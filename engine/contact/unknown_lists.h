@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline contact {
 
 /// Puts unknowns into ascending order, each there once.
 void sortOnce(std::vector<int>& unknowns);
@@ -18,4 +18,4 @@ void addAt(const std::vector<Eigen::Index>& places, const Eigen::Ref<const Eigen
 /// Where other numbers stand in a list: those that are not there yet are added at its end.
 std::vector<int> placesAmong(std::vector<int>& list, std::span<const int> others);
 
-}  // namespace burnish
+}  // namespace burnish::inline contact

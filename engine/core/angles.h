@@ -1,10 +1,10 @@
 #pragma once
 #include <numbers>
 
-namespace burnish {
+namespace burnish::inline core {
 
 inline double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/output_file.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ fs::path partialName(const fs::path& path) {
   return partial;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

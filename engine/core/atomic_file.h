@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Writes a file that exists under its name only when it is complete, whatever happens meanwhile: the bytes
 /// go to `partialName(path)`, are synced, and the file is renamed. Throws `Error`; then no partial file stays
@@ -19,4 +19,4 @@ void writeFileAtomically(const std::filesystem::path& path,
 /// The temporary name of a file that is being written.
 std::filesystem::path partialName(const std::filesystem::path& path);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

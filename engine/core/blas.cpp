@@ -21,7 +21,7 @@ void gotoblas_dynamic_quit();
 void gotoblas_dynamic_init();
 }
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// Kernels for the instruction sets of this processor, or null if the slowest ones are right.
@@ -91,4 +91,4 @@ void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
               size(C.outerStride()));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <string>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// To be called first in main(). OpenBLAS chooses its kernels by the model of the processor when it is loaded
 /// and takes the slowest ones for a model that is newer than itself, four times slower than need be. Then it is made to choose
@@ -28,4 +28,4 @@ void multiplyTransposed(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eige
 void multiplyTransposedInto(const Eigen::Ref<const Eigen::MatrixXd>& A,
                             const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,6 +1,6 @@
 #include "engine/core/byte_stream.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 void send(std::int64_t number, const TakeBytes& take) {
   take(&number, sizeof(number));
@@ -34,4 +34,4 @@ std::vector<double> receiveNumbers(const FillBytes& fill) {
   return numbers;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// What goes from one process to another as bytes.
-namespace burnish {
+namespace burnish::inline core {
 
 /// Takes, or fills, so many bytes.
 using TakeBytes = std::function<void(const void* bytes, std::size_t count)>;
@@ -20,4 +20,4 @@ std::int64_t receiveNumber(const FillBytes& fill);
 std::string receiveText(const FillBytes& fill);
 std::vector<double> receiveNumbers(const FillBytes& fill);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 std::string quotedCell(const std::string& text) {
@@ -59,4 +59,4 @@ std::vector<std::string> cellsOfRow(std::string_view row) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

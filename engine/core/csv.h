@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A row of a table as text, without its line break: cells between commas, in quotes where they must be.
 std::string csvRow(const std::vector<std::string>& cells);
@@ -12,4 +12,4 @@ std::string csvRow(const std::vector<std::string>& cells);
 /// all that stands there.
 std::vector<std::string> cellsOfRow(std::string_view row);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

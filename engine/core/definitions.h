@@ -5,7 +5,7 @@
 
 #include "engine/core/formula.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// What is wrong with a definition.
 struct DefinitionProblem {
@@ -18,4 +18,4 @@ struct DefinitionProblem {
 std::vector<DefinitionProblem> problemsOf(const std::vector<DefinitionSpec>& definitions,
                                           const std::vector<std::string>& variables = {"X", "Y", "Z", "t"});
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -11,7 +11,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// The directory and those above it that do not exist, the innermost first.
@@ -61,4 +61,4 @@ DirectoryLock::~DirectoryLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

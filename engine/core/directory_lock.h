@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Keeps other processes from a directory that all of them lock. The system gives it back when the process
 /// ends, however it ends.
@@ -30,4 +30,4 @@ class DirectoryLock {
   bool protects_ = true;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Largest magnitude that pictures and charts show, and the smallest distance of the ends of a scale: beyond
 /// them, steps and powers of ten are no longer numbers.
@@ -18,4 +18,4 @@ inline bool isDrawableRange(const std::array<double, 2>& range) {
          range[1] - range[0] >= kSmallestDrawnSpan;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,10 +1,15 @@
 #pragma once
 
-namespace burnish {
+#include <array>
+#include <type_traits>
+#include <utility>
 
-/// Names of the values of an enumeration, in files and messages. Specialised beside every enumeration that a
-/// document may choose from: `values`, an array of pairs of name and value.
+namespace burnish::inline core {
+
+/// Names of the values of an enumeration, in files and messages: pairs of name and value. Beside every enumeration
+/// that a document may choose from stands the function that gives them,
+/// `constexpr auto enumNames(std::type_identity<E>)`.
 template <class E>
-struct EnumNames;
+inline constexpr auto kNamesOf = enumNames(std::type_identity<E>{});
 
-}  // namespace burnish
+}  // namespace burnish::inline core

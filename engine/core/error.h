@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Something a person can mend: a scene, a file, a flag. The message names the place, what is wrong and what
 /// would be right; the command line prints it and exits with 2.
@@ -18,4 +18,4 @@ class RunError : public Error {
   using Error::Error;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

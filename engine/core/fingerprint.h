@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Tells contents apart, not against intent: FNV-1a, 64 bits.
 class Fingerprint {
@@ -22,4 +22,4 @@ class Fingerprint {
   std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

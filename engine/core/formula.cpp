@@ -21,7 +21,7 @@
 #include "engine/core/formula_words.h"
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 void requireSingleValue(const std::string& formula) {
   const auto at = [&](std::size_t k) { return k < formula.size() ? formula[k] : ' '; };
@@ -260,4 +260,4 @@ std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
   return formulas;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

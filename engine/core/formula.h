@@ -7,7 +7,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A number, or a formula in variables and in names that are defined elsewhere.
 struct FormulaText {
@@ -67,4 +67,4 @@ void requireFinite(const std::vector<Formula>& formulas, const Eigen::Matrix3Xd&
 std::vector<Formula> makeFormulas(const std::vector<FormulaText>& texts,
                                   const std::vector<DefinitionSpec>& definitions);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

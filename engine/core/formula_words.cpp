@@ -13,7 +13,7 @@
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 constexpr std::array kConstants{std::pair{"pi", std::numbers::pi}, std::pair{"e", std::numbers::e}};
@@ -79,4 +79,4 @@ std::string listed(const std::vector<std::string>& names) {
                      names.size());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

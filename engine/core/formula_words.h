@@ -5,7 +5,7 @@
 #include <vector>
 
 /// The words that every formula knows beside its variables.
-namespace burnish {
+namespace burnish::inline core {
 
 /// Names of functions, such as sin.
 std::vector<std::string> formulaFunctions();
@@ -26,4 +26,4 @@ std::string orNearest(const std::string& word, const std::vector<std::string>& n
 /// Names with commas, as many as a message can hold.
 std::string listed(const std::vector<std::string>& names);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

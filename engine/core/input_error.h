@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Something that is wrong with a value of the input.
 struct InputProblem {
@@ -68,4 +68,4 @@ class InputProblems {
   std::vector<InputProblem> problems_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 volatile std::sig_atomic_t lastSignal = 0;
@@ -32,4 +32,4 @@ void throwIfInterrupted() {
   if (lastSignal != 0) throw Interrupted();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 #include <exception>
 
 /// A signal that asks the program to end, where long work can be left.
-namespace burnish {
+namespace burnish::inline core {
 
 /// Leaves the work between two pieces of it, such as pictures. No `Error`: nothing is to be mended.
 class Interrupted : public std::exception {
@@ -25,4 +25,4 @@ int numInterruptions() noexcept;
 /// Throws `Interrupted` if a signal was noted.
 void throwIfInterrupted();
 
-}  // namespace burnish
+}  // namespace burnish::inline core

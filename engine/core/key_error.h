@@ -4,7 +4,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// What is wrong with a key of a mapping, such as the tool that a file is read for: who knows the path of the mapping knows that of
 /// the key.
@@ -18,4 +18,4 @@ class KeyError : public Error {
   std::string key_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -10,7 +10,7 @@
 
 /// Numbers that are computed with at once, one in each lane of the processor's vector registers. They are copied from
 /// and to memory, and not passed by value, which without AVX is another convention for calls.
-namespace burnish {
+namespace burnish::inline core {
 
 /// As many as a register holds, which is four with AVX and two without: more are carried through memory, ten times as slowly.
 #ifdef __AVX__
@@ -59,4 +59,4 @@ template <int Count, class F>
   (std::make_integer_sequence<int, Count>{});
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

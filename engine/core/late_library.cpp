@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 LateLibrary::LateLibrary(const char* file, const char* package)
     : file_(file), library_(dlopen(file, RTLD_NOW | RTLD_LOCAL)) {
@@ -21,4 +21,4 @@ void* LateLibrary::address(const char* name) const {
   return found;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

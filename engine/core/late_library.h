@@ -1,6 +1,6 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A library of the system that few commands need: it is loaded when the first of them does, which saves all others its time
 /// and memory, and kept until the process ends.
@@ -22,4 +22,4 @@ class LateLibrary {
   void* library_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

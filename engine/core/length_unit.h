@@ -4,18 +4,16 @@
 
 #include "engine/core/enum_names.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 enum class LengthUnit { Nanometre, Micrometre, Millimetre, Centimetre, Metre, Inch, Foot };
 
-template <>
-struct EnumNames<LengthUnit> {
-  static constexpr std::array values{
-      std::pair{"nm", LengthUnit::Nanometre},  std::pair{"um", LengthUnit::Micrometre},
-      std::pair{"mm", LengthUnit::Millimetre}, std::pair{"cm", LengthUnit::Centimetre},
-      std::pair{"m", LengthUnit::Metre},       std::pair{"in", LengthUnit::Inch},
-      std::pair{"ft", LengthUnit::Foot}};
-};
+constexpr auto enumNames(std::type_identity<LengthUnit>) {
+  return std::array{std::pair{"nm", LengthUnit::Nanometre},  std::pair{"um", LengthUnit::Micrometre},
+                    std::pair{"mm", LengthUnit::Millimetre}, std::pair{"cm", LengthUnit::Centimetre},
+                    std::pair{"m", LengthUnit::Metre},       std::pair{"in", LengthUnit::Inch},
+                    std::pair{"ft", LengthUnit::Foot}};
+}
 
 constexpr double millimetresOf(LengthUnit unit) {
   switch (unit) {
@@ -37,4 +35,4 @@ constexpr double millimetresOf(LengthUnit unit) {
   return 1.0;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 #include <cctype>
 #include <string>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// For words that programs write in capitals or not; letters beyond ASCII stay.
 inline std::string inLowerCase(std::string text) {
@@ -10,4 +10,4 @@ inline std::string inLowerCase(std::string text) {
   return text;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -13,7 +13,7 @@
 #include "engine/core/error.h"
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 64'000'000;
@@ -89,4 +89,4 @@ std::string MeasuredTable::place(std::size_t row, std::size_t column) const {
   return fmt::format("{}:{}: column {}", path_.string(), rows_[row].line, columns_[column]);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A table that somebody has measured: CSV with a header. Lines that begin with # are passed over, blanks
 /// around cells too.
@@ -43,4 +43,4 @@ class MeasuredTable {
   std::vector<Row> rows_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

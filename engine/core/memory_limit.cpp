@@ -11,7 +11,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
@@ -72,4 +72,4 @@ void requireMemory(std::uint64_t bytes, const char* purpose, std::uint64_t mappe
   require(bytes + mapped, space, purpose);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 /// Where the address space or the data of the process are limited (ulimit -v, ulimit -d), libraries that get
 /// no memory end the program or wait for ever; what they will need is therefore asked for before they are
 /// called.
-namespace burnish {
+namespace burnish::inline core {
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
@@ -18,4 +18,4 @@ std::uint64_t freeMemory();
 /// loaded for it, which take address space, but are no data.
 void requireMemory(std::uint64_t bytes, const char* purpose, std::uint64_t mapped = 0);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

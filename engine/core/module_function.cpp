@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// How one comes by a module that is not there.
@@ -35,4 +35,4 @@ void* moduleFunction(const Module& module, const char* name, const char* whatFor
                     "install what it misses, or the one that belongs to this program");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

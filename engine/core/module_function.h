@@ -3,7 +3,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A library beside the program that holds what few runs need and takes long to load.
 struct Module {
@@ -32,4 +32,4 @@ class ModuleError : public Error {
 /// the message of the `ModuleError` that is thrown if it is not there.
 void* moduleFunction(const Module& module, const char* name, const char* whatFor);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 char lower(char c) {
@@ -48,4 +48,4 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
   return best ? " Did you mean \"" + *best + "\"?" : "";
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// The candidate that a mistyped word most probably meant: fewest insertions, deletions, replacements and
 /// swaps of neighbours, upper and lower case alike. Empty when nothing is close.
@@ -12,4 +12,4 @@ std::optional<std::string> nearest(const std::string& word, const std::vector<st
 /// ` Did you mean "..."?` with a leading blank, or nothing.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& candidates);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -11,7 +11,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// The name that a file has or, of one that takes its name when it is complete, will have.
@@ -81,4 +81,4 @@ void OutputFile::close() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(path_, "write");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// How the name of a file ends that is not complete.
 inline constexpr const char* kPartial = ".partial";
@@ -41,4 +41,4 @@ class OutputFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,6 +1,6 @@
 #include "engine/core/portion.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 Portion::Portion(const Team& team, Eigen::Index count, std::vector<int> kept, std::vector<int> own)
     : team_(&team), count_(count), kept_(std::move(kept)), own_(std::move(own)) {}
@@ -34,4 +34,4 @@ Eigen::MatrixXd Portion::part(Eigen::MatrixXd all) const {
   return all(Eigen::all, kept_);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -6,7 +6,7 @@
 
 #include "engine/core/team.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Which ranks are handed what each has a part of.
 enum class Receivers { All, First };
@@ -48,4 +48,4 @@ class Portion {
   std::vector<int> kept_, own_;  ///< empty for a process alone
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -2,7 +2,7 @@
 
 #include "engine/core/shown_text.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 60;
@@ -13,4 +13,4 @@ std::string quoted(const std::string& text) {
   return '"' + shortened(text) + '"';
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

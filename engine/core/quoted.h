@@ -2,7 +2,7 @@
 #include <string>
 
 /// How messages show what they have read.
-namespace burnish {
+namespace burnish::inline core {
 
 /// A text as `forMessage` shows it, cut after 60 letters.
 std::string shortened(const std::string& text);
@@ -10,4 +10,4 @@ std::string shortened(const std::string& text);
 /// The same in quotation marks.
 std::string quoted(const std::string& text);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -21,7 +21,7 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -203,4 +203,4 @@ int ReadingProcess::waitForEnd() {
   return end;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -9,7 +9,7 @@
 
 #include "engine/core/byte_stream.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Reads a file in a process of its own, with the readers of other libraries: on a damaged file these may end their process, come to
 /// no end or take all memory.
@@ -45,4 +45,4 @@ class ReadingProcess {
   std::string end_;  ///< why there is no process any more
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

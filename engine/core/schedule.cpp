@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline core {
 
 double Schedule::operator()(double t) const {
   if (times.empty()) return 0.0;
@@ -20,4 +20,4 @@ bool sameValues(const Schedule& a, const Schedule& b) {
          std::all_of(b.times.begin(), b.times.end(), agree);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

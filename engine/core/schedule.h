@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// A piecewise linear function of time, constant before its first and after its last entry.
 struct Schedule {
@@ -15,4 +15,4 @@ struct Schedule {
 /// Whether two schedules have the same value at every time.
 bool sameValues(const Schedule& a, const Schedule& b);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

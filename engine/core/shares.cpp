@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline core {
 
 void gatherLists(const Team& team, std::vector<double>& numbers) {
   if (team.isAlone()) return;
@@ -18,4 +18,4 @@ void gatherLists(const Team& team, std::vector<double>& numbers) {
   numbers = std::move(all);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 
 #include "engine/core/team.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Numbers of things of which each rank of a team has its own: rank r those from begins[r] to begins[r + 1].
 struct Shares {
@@ -36,4 +36,4 @@ void exchange(const Team& team, const Shares& shares, int width, const Get& get,
 /// Puts the numbers of all ranks together, in their order.
 void gatherLists(const Team& team, std::vector<double>& numbers);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

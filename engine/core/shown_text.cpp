@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 constexpr Utf8Letter kNone{0xFFFD, 0};
@@ -95,4 +95,4 @@ std::string forMessage(std::string_view text, std::size_t longest) {
   return kept.size() < text.size() ? shown + "..." : shown;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

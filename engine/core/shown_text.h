@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// Texts that are shown: titles, labels, units, names.
-namespace burnish {
+namespace burnish::inline core {
 
 /// Most letters of a title, a label or a unit, and of a name, which may become that of a file.
 inline constexpr std::size_t kLongestShownText = 1000, kLongestName = 200;
@@ -36,4 +36,4 @@ std::string shownTextFault(std::string_view text, std::size_t longest = kLongest
 /// so many letters, then "...".
 std::string forMessage(std::string_view text, std::size_t longest);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -7,7 +7,7 @@
 
 #include "engine/core/lanes.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// A matrix whose columns follow each other with a stride.
@@ -89,4 +89,4 @@ void multiplyTransposedSmall(const Eigen::Ref<const Eigen::MatrixXd>& A,
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Entries of a product that are asked for: all, or those on and below the diagonal, with some above it.
 enum class ProductPart { All, Lower };
@@ -12,4 +12,4 @@ void multiplyTransposedSmall(const Eigen::Ref<const Eigen::MatrixXd>& A,
                              const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> C,
                              ProductPart part = ProductPart::All);
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 /// Whole numbers are kept as real ones, which are exact up to 2^53.
@@ -101,4 +101,4 @@ void StateArchive::field(std::string_view name, Eigen::Vector3d& value) {
   value = values;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Values under names: what the rest of a run depends on.
 using SavedState = std::map<std::string, Eigen::VectorXd>;
@@ -99,4 +99,4 @@ class StateArchive {
   std::string prefix_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -10,7 +10,7 @@
 
 #include "engine/core/lower_case.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 constexpr std::int64_t kStlHead = 84, kStlTriangle = 50;  // bytes of a binary file
@@ -55,4 +55,4 @@ std::string stlDamage(const std::filesystem::path& file) {
   return found >= announced && size >= kStlHead ? "" : triangleDamage(announced, found);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,7 +1,7 @@
 #pragma once
 #include <chrono>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Adds the time of its own life to a sum of seconds.
 class Stopwatch {
@@ -18,4 +18,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline core {
 namespace {
 
 class Alone final : public Team {
@@ -49,4 +49,4 @@ const Team& alone() {
   return team;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// The processes that compute a run together, its ranks, which may be one alone. All of them run the same
 /// program from the same input and come to the same decisions, from numbers of the same bits. What they do
@@ -61,4 +61,4 @@ std::span<double> asSpan(Vector& values) {
 /// A process alone.
 const Team& alone();
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -6,7 +6,7 @@
 #endif
 #endif
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Tells ThreadSanitizer what TBB guarantees and, not being instrumented, cannot show: what a thread did
 /// until before() is done when another one has called after(). Nothing in other builds.
@@ -25,4 +25,4 @@ class ThreadOrder {
 #endif
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline core

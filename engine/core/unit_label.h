@@ -6,13 +6,13 @@
 
 #include "engine/core/length_unit.h"
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// What is allowed for the label of a unit of length that lengths are converted from or into, for messages.
 inline constexpr const char* kLengthLabels =
     "nm, um (µm, micron), mm, cm, m, in (inch) or ft (foot), or the name in full, such as millimetre";
 
-/// Spellings of units of length beside those of `EnumNames`. µ has two code points; capitals as IGES files have them.
+/// Spellings of units of length beside those of `kNamesOf`. µ has two code points; capitals as IGES files have them.
 inline constexpr std::array kOtherLengthLabels{
     std::pair<std::string_view, LengthUnit>{"nanometre", LengthUnit::Nanometre},
     std::pair<std::string_view, LengthUnit>{"nanometer", LengthUnit::Nanometre},
@@ -42,7 +42,7 @@ inline constexpr std::array kOtherLengthLabels{
 
 /// The unit that a label of lengths names, such as "mm" or "inch"; nothing for one that is not known.
 inline std::optional<LengthUnit> lengthUnitOf(std::string_view label) {
-  for (const auto& [name, unit] : EnumNames<LengthUnit>::values)
+  for (const auto& [name, unit] : kNamesOf<LengthUnit>)
     if (label == name) return unit;
   for (const auto& [name, unit] : kOtherLengthLabels)
     if (label == name) return unit;
@@ -52,9 +52,9 @@ inline std::optional<LengthUnit> lengthUnitOf(std::string_view label) {
 /// "mm" for millimetres, as scenes name them.
 constexpr const char* labelOf(LengthUnit wanted) {
   const char* label = "";
-  for (const auto& [name, unit] : EnumNames<LengthUnit>::values)
+  for (const auto& [name, unit] : kNamesOf<LengthUnit>)
     if (unit == wanted) label = name;
   return label;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace burnish {
+namespace burnish::inline core {
 
 /// Such as "0.2.0".
 std::string version();
@@ -10,4 +10,4 @@ std::string version();
 /// engine. Results of equal scenes and equal names are equal.
 std::string programName();
 
-}  // namespace burnish
+}  // namespace burnish::inline core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline fields {
 namespace {
 
 /// Names of the stress components in the order of a record, and their places in `kVoigt` order.
@@ -75,4 +75,4 @@ template std::map<std::string, FieldRecord> projected(const Projection<2>&,
 template std::map<std::string, FieldRecord> projected(const Projection<3>&,
                                                       std::map<std::string, FieldRecord>);
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

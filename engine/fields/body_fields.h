@@ -6,7 +6,7 @@
 #include "engine/results/result.h"
 #include "engine/solid/bulk_term.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// Fields of the accepted state at the quadrature points of the body's portion, components x points:
 ///   stress      Cauchy σ = τ/J, components xx yy xy zz (2D) or xx yy zz xy yz zx
@@ -26,4 +26,4 @@ template <int Dim>
 std::map<std::string, FieldRecord> projected(const Projection<Dim>& projection,
                                              std::map<std::string, FieldRecord> fields);
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline fields {
 
 std::pair<Eigen::VectorXd, double> EllipseMeasure::arcLengths(const Eigen::VectorXd& x) const {
   const auto& face = contact_.face();
@@ -82,4 +82,4 @@ std::vector<double> EllipseMeasure::values(const MeasuredState& state) const {
   return values;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -6,7 +6,7 @@
 #include "engine/contact/face_contact.h"
 #include "engine/fields/measure.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// The half ellipse p = p_0 (1 - (s - m)²/a²)^½ of the Hertz theory.
 struct HalfEllipse {
@@ -45,4 +45,4 @@ class EllipseMeasure final : public Measure {
   Middle middle_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline fields {
 namespace {
 
 template <int Dim>
@@ -76,4 +76,4 @@ std::vector<double> ErrorMeasure<Dim>::values(const MeasuredState& state) const 
 template class ErrorMeasure<2>;
 template class ErrorMeasure<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -3,7 +3,7 @@
 #include "engine/fields/measure.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// Errors of the displacement against an exact one, relative to its norm; absolute where that is zero:
 /// L2 of the displacement itself, H1 of its reference gradient.
@@ -29,4 +29,4 @@ class ErrorMeasure final : public Measure {
   double step_;  ///< of the differences
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-namespace burnish {
+namespace burnish::inline fields {
 
 template <int Dim>
 std::vector<std::string> ExtentMeasure<Dim>::columns() const {
@@ -34,4 +34,4 @@ std::vector<double> ExtentMeasure<Dim>::values(const MeasuredState& state) const
 template class ExtentMeasure<2>;
 template class ExtentMeasure<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

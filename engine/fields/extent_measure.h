@@ -2,7 +2,7 @@
 #include "engine/fields/measure.h"
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// How far a face reaches now: the smallest and largest coordinates of its points.
 template <int Dim>
@@ -19,4 +19,4 @@ class ExtentMeasure final : public Measure {
   FaceQuadrature<Dim> face_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 template <int Dim>
 FaceMeasure<Dim>::FaceMeasure(FaceQuadrature<Dim> face, std::vector<const LoadTerm*> elsewhere)
@@ -49,4 +49,4 @@ std::vector<double> FaceMeasure<Dim>::values(const MeasuredState& state) const {
 template class FaceMeasure<2>;
 template class FaceMeasure<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -3,7 +3,7 @@
 #include "engine/solid/face_quadrature.h"
 #include "engine/solid/load_term.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// Mean displacement of a face by reference area, and the resultant of the force that supports, contact and
 /// the face's own loads apply there: the nodal forces of the body's stresses, which balance all loads,
@@ -25,4 +25,4 @@ class FaceMeasure final : public Measure {
   double area_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

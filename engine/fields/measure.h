@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// An accepted state of a model, at which its terms have just been evaluated.
 struct MeasuredState {
@@ -22,4 +22,4 @@ class Measure {
   virtual std::vector<double> values(const MeasuredState& state) const = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace burnish {
+namespace burnish::inline fields {
 
 double weightedPercentile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
@@ -31,4 +31,4 @@ std::vector<double> PercentileMeasure::values(const MeasuredState&) const {
   return {weightedPercentile(field_(), volumes_(), share_)};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

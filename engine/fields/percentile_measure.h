@@ -4,7 +4,7 @@
 
 #include "engine/fields/measure.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// The value below which a field is in a share of the body's volume. Unlike a largest value it does not
 /// depend on a thin layer at the surface.
@@ -26,4 +26,4 @@ class PercentileMeasure final : public Measure {
 /// The value below which `values` are in a share (0 to 1) of the sum of the weights, between values linearly.
 double weightedPercentile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share);
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/nurbs/closest_point.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 template <int Dim>
 PointMeasure<Dim>::PointMeasure(const Body<Dim>& body, int patch, const Eigen::Vector<double, Dim>& xi,
@@ -84,4 +84,4 @@ template std::pair<int, Eigen::Vector<double, 2>> findPoint(const Body<2>&, int,
 template std::pair<int, Eigen::Vector<double, 3>> findPoint(const Body<3>&, int,
                                                             const Eigen::Vector<double, 3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -6,7 +6,7 @@
 #include "engine/results/result.h"
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// Displacement and projected fields at a material point.
 template <int Dim>
@@ -37,4 +37,4 @@ template <int Dim>
 std::pair<int, Eigen::Vector<double, Dim>> findPoint(const Body<Dim>& body, int patch,
                                                      const Eigen::Vector<double, Dim>& position);
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

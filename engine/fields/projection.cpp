@@ -10,7 +10,7 @@
 #include "engine/fields/tensor_mass.h"
 #include "engine/solver/sparse_system.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -99,4 +99,4 @@ Eigen::MatrixXd Projection<Dim>::project(const Eigen::MatrixXd& values) const {
 template class Projection<2>;
 template class Projection<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

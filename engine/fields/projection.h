@@ -4,7 +4,7 @@
 
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// L2 projection of quadrature-point fields onto the body's own basis:
 /// find q with ∫ R_A (Σ R_B q_B − q) dV = 0 over the reference body. In the plane the mass matrix is
@@ -29,4 +29,4 @@ class Projection {
   std::unique_ptr<Mass> mass_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace burnish {
+namespace burnish::inline fields {
 namespace {
 
 /// Applies one matrix per direction to the coefficients of a tensor product (first direction fastest).
@@ -76,4 +76,4 @@ Extremes SpanExtremes<Dim>::operator()(const Eigen::VectorXd& coefficients) cons
 template class SpanExtremes<2>;
 template class SpanExtremes<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

@@ -5,7 +5,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 struct Extremes {
   double min = 0.0;
@@ -30,4 +30,4 @@ class SpanExtremes {
   std::vector<std::array<std::vector<Eigen::MatrixXd>, Dim>> values_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

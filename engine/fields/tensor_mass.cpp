@@ -5,7 +5,7 @@
 
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 namespace {
 
 /// ∫ N_i N_j dξ.
@@ -66,4 +66,4 @@ Eigen::VectorXd TensorMassInverse::solve(const Eigen::VectorXd& b) const {
   return x;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

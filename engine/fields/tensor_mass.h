@@ -5,7 +5,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline fields {
 
 /// An approximate inverse of a body's mass matrix ∫ R_A R_B dV: patch by patch the Kronecker product of the
 /// univariate mass matrices, scaled on both sides so that its diagonal is that of the mass matrix. Iterations
@@ -41,4 +41,4 @@ class TensorMassInverse {
   std::vector<Part> parts_;  ///< per patch
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline fields

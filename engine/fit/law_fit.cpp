@@ -14,7 +14,7 @@
 #include "engine/material/material.h"
 #include "engine/schema/mapping_writer.h"
 
-namespace burnish {
+namespace burnish::inline fit {
 namespace {
 
 /// Bulk modulus over shear modulus of rubbers: stresses differ by less than 0.1 % from those of incompressible
@@ -432,4 +432,4 @@ const std::vector<FittableLaw>& fittableLaws() {
   return laws;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

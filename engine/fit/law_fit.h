@@ -5,7 +5,7 @@
 
 #include "engine/fit/measured_curve.h"
 
-namespace burnish {
+namespace burnish::inline fit {
 
 /// What a fit makes small.
 enum class FitResiduals {
@@ -43,4 +43,4 @@ struct FittableLaw {
 
 const std::vector<FittableLaw>& fittableLaws();
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

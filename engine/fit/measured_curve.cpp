@@ -12,7 +12,7 @@
 #include "engine/core/nearest.h"
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline fit {
 namespace {
 
 constexpr std::array<std::pair<const char*, RubberTest>, 6> kModes{{{"uniaxial", RubberTest::Uniaxial},
@@ -164,4 +164,4 @@ std::vector<MeasuredCurve> readCyclicCurves(const std::vector<std::filesystem::p
   return curves;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

@@ -6,7 +6,7 @@
 
 #include "engine/fit/rubber_test.h"
 
-namespace burnish {
+namespace burnish::inline fit {
 
 /// A measured curve, its points as the law that is fitted has them.
 struct MeasuredCurve {
@@ -32,4 +32,4 @@ std::vector<MeasuredCurve> readFlowCurves(const std::vector<std::filesystem::pat
 /// `amplitude`, half the range of the stress. x: ranges.
 std::vector<MeasuredCurve> readCyclicCurves(const std::vector<std::filesystem::path>& files);
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

@@ -5,7 +5,7 @@
 
 #include "engine/material/isochoric_point.h"
 
-namespace burnish {
+namespace burnish::inline fit {
 
 /// How a sheet of rubber is pulled.
 enum class RubberTest {
@@ -45,4 +45,4 @@ double nominalStress(const Energy& energy, RubberTest test, double stretch) {
   return difference / stretch;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

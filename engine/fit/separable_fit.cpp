@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/NumericalDiff>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline fit {
 namespace {
 
 /// Of all starts, so many are improved.
@@ -98,4 +98,4 @@ std::optional<SeparableFit> fitSeparable(const SeparableModel& model, const Eige
   return std::move(fits.front());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline fit {
 
 /// A family of curves y(x) = Σ_k c_k φ_k(x; θ) for given points: linear in the factors c, not in the shapes θ.
 struct SeparableModel {
@@ -34,4 +34,4 @@ struct SeparableFit {
 std::optional<SeparableFit> fitSeparable(const SeparableModel& model, const Eigen::VectorXd& values,
                                          const Eigen::VectorXd& weights);
 
-}  // namespace burnish
+}  // namespace burnish::inline fit

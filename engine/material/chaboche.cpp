@@ -15,7 +15,7 @@
 #include "engine/material/volume_change.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 using State = Chaboche::State;
@@ -230,4 +230,4 @@ template bool Chaboche::evaluate<2>(const Eigen::Matrix3d&, double, const State&
 template bool Chaboche::evaluate<3>(const Eigen::Matrix3d&, double, const State&, State&,
                                     MaterialResponse<3>&) const;
 
-}  // namespace burnish
+}  // namespace burnish::inline material

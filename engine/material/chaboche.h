@@ -14,7 +14,7 @@
 #include "engine/material/response.h"
 #include "engine/material/state_field.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// What the logarithm of the elastic strain is taken of.
 enum class StrainFrame {
@@ -22,11 +22,9 @@ enum class StrainFrame {
   Additive,  ///< F, and the plastic strain is taken off: ½ ln FᵀF − E_p
 };
 
-template <>
-struct EnumNames<StrainFrame> {
-  static constexpr std::array values{std::pair{"updated", StrainFrame::Updated},
-                                     std::pair{"additive", StrainFrame::Additive}};
-};
+constexpr auto enumNames(std::type_identity<StrainFrame>) {
+  return std::array{std::pair{"updated", StrainFrame::Updated}, std::pair{"additive", StrainFrame::Additive}};
+}
 
 /// Plasticity at finite strain with isotropic hardening and back stresses (J. L. Chaboche, Int. J. Plast. 2, 1986), with
 /// rates and Hill's yield condition: the small-strain law of `plastic_flow.h` in logarithmic elastic strains, with a
@@ -137,4 +135,4 @@ void describe(Visitor& v, Chaboche::Parameters& s) {
 void check(const Chaboche::Parameters& law, const Problems& problems);
 void checkInPlane(const Chaboche::Parameters& law, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

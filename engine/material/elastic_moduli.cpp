@@ -5,7 +5,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 ElasticModuli::ElasticModuli(double youngsModulus, double poissonsRatio)
     : E(youngsModulus),
@@ -19,4 +19,4 @@ ElasticModuli::ElasticModuli(double youngsModulus, double poissonsRatio)
                 ", it must lie between -1 and 0.5 (both excluded)");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Isotropic moduli from Young's modulus and Poisson's ratio.
 struct ElasticModuli {
@@ -20,4 +20,4 @@ void describeElasticConstants(Visitor& v, double& E, double& nu) {
   v.field("nu", nu, {.required = true, .above = -1, .below = 0.5}, "Poisson's ratio.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,7 +3,7 @@
 
 #include "engine/material/material.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Whether the history of the material belongs to the first undeformed state, so that it cannot be referred to another
 /// one: plastic strain that is taken off the logarithm of the whole deformation.
@@ -18,4 +18,4 @@ inline bool belongsToFirstReference(const MaterialParameters& material) {
       material);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

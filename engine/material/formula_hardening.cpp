@@ -12,7 +12,7 @@
 #include "engine/core/quoted.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 std::shared_ptr<const PiecewiseChebyshev> interpolateFormula(const std::string& formula) {
@@ -64,4 +64,4 @@ void check(const FormulaHardening::Parameters& law, const Problems& problems, co
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -5,9 +5,11 @@
 #include "engine/material/law_list.h"
 #include "engine/material/piecewise_chebyshev.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// Yield stress from a formula in the plastic strain `ep`, such as "300*(0.01+ep)^0.2". The formula is read
 /// once and replaced by an interpolant of 14 digits, which is fast, has an exact slope and integral, and may
@@ -40,4 +42,4 @@ void describe(Visitor& v, FormulaHardening::Parameters& s) {
 /// See `checkHardening`.
 void check(const FormulaHardening::Parameters& law, const Problems& problems, const std::string& key);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

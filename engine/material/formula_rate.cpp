@@ -12,7 +12,7 @@
 #include "engine/core/formula.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 Formula readFormula(const std::string& text) {
@@ -112,4 +112,4 @@ void check(const FormulaRate::Parameters& law, const Problems& problems, const s
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -5,10 +5,13 @@
 
 #include "engine/material/law_list.h"
 
-namespace burnish {
+namespace burnish::inline schema {
+class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 class FormulaPool;
-class Problems;
 
 /// A flow stress σ(σ_y, e, ė) from a formula in `sigma_y`, the yield stress without rates, `ep` and `rate`. May be used
 /// from any number of threads; copies share what the formula was read into.
@@ -48,4 +51,4 @@ void describe(Visitor& v, FormulaRate::Parameters& s) {
 void check(const FormulaRate::Parameters& law, const Problems& problems, const std::string& key,
            const std::function<double(double)>& sigma_y);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -19,9 +19,11 @@
 ///   slope(e)     its derivative (from the right where a law has a corner),
 ///   work(e)      H(e) = ∫_0^e σ_y,
 /// a `describe` for what it is made from and, where the keys do not say all, a `check` of that.
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// All hardening laws, one line each.
 using HardeningLaws = LawList<  //
@@ -53,4 +55,4 @@ inline void checkHardening(const HardeningParameters& hardening, const Problems&
       hardening);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -8,7 +8,7 @@
 
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 constexpr double kSkew = 1e-6;  // cosine that still counts as a right angle
@@ -57,4 +57,4 @@ void checkInPlane(const HillYield& hill, const Problems& problems, const std::st
   checkDirection(key + ".transverse", hill.transverse);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// Hill's yield condition of 1948 from the ratios r of the strains across the width and the thickness of a strip that
 /// is cut at 0°, 45° and 90° to the rolling direction. Stresses are measured by the yield stress in that direction.
@@ -49,4 +51,4 @@ void describe(Visitor& v, HillYield& s) {
 void check(const HillYield& hill, const Problems& problems, const std::string& key);
 void checkInPlane(const HillYield& hill, const Problems& problems, const std::string& key);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -5,7 +5,7 @@
 
 #include "engine/material/power_term.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 /// ∫_0^x exp(−(N e)^p) de by the regularised lower incomplete gamma function P.
@@ -30,4 +30,4 @@ double HockettSherbyHardening::work(double e) const {
   return sigmaInf * e - (sigmaInf - sigma0) * grown;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

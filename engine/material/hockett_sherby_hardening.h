@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/material/law_list.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Hockett and Sherby: σ_y = σ_s − (σ_s − σ_0) exp(−(N e)^p).
 struct HockettSherbyHardening {
@@ -29,4 +29,4 @@ void describe(Visitor& v, HockettSherbyHardening& s) {
           "Exponent of the plastic strain times the rate.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -10,7 +10,7 @@
 #include "engine/material/volumetric_response.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 /// Largest ratio of the bulk modulus to the shear modulus: beyond it, Poisson's ratio would have few digits left.
@@ -146,4 +146,4 @@ template bool Hyperelastic<Ogden>::evaluate<3>(const Eigen::Matrix3d&, const Sta
                                                MaterialResponse<3>&) const;
 template void check(const HyperelasticParameters<Ogden>&, const Problems&);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -10,9 +10,11 @@
 #include "engine/material/response.h"
 #include "engine/material/yeoh.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// What a nearly incompressible rubber is made from.
 template <class Energy>
@@ -80,4 +82,4 @@ extern template class Hyperelastic<MooneyRivlin>;
 extern template class Hyperelastic<Yeoh>;
 extern template class Hyperelastic<Ogden>;
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 
 #include "engine/material/symmetric_tensor.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 constexpr int kMostIterations = 100;
@@ -84,4 +84,4 @@ std::optional<PointStates> stateWithStress(const Material& material, const Eigen
   return states;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -5,7 +5,7 @@
 
 #include "engine/material/material_points.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Whether points of this material can have a plastic strain at the start.
 bool carriesPlasticStrain(const MaterialParameters& material);
@@ -17,4 +17,4 @@ bool carriesPlasticStrain(const MaterialParameters& material);
 std::optional<PointStates> stateWithStress(const Material& material, const Eigen::Matrix3d& stress,
                                            double e_p);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// A power of the isochoric principal stretches in a stress: μ λ̄^α.
 struct StretchPower {
@@ -32,4 +32,4 @@ inline double powerSum(const Eigen::Array3d& logStretches, double alpha) {
   return (alpha * logStretches).expm1().sum();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

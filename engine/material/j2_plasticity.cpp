@@ -12,7 +12,7 @@
 #include "engine/material/volumetric_response.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 /// Relative distance to the yield surface within which a trial state is elastic: states that a converged step
@@ -146,4 +146,4 @@ template bool J2Plasticity::evaluate<2>(const Eigen::Matrix3d&, const State&, St
 template bool J2Plasticity::evaluate<3>(const Eigen::Matrix3d&, const State&, State&,
                                         MaterialResponse<3>&) const;
 
-}  // namespace burnish
+}  // namespace burnish::inline material

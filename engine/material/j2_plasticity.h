@@ -11,7 +11,7 @@
 #include "engine/material/return_map.h"
 #include "engine/material/state_field.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// J2 plasticity at finite strain: multiplicative split, yield condition in Kirchhoff stress, isotropic
 /// hardening, exponential map in principal logarithmic strains with the consistent tangent.
@@ -78,11 +78,10 @@ class J2Plasticity {
   Hardening hardening_;
 };
 
-template <>
-struct EnumNames<ElasticLaw> {
-  static constexpr std::array values{std::pair{"neo-hookean", ElasticLaw::NeoHookean},
-                                     std::pair{"hencky", ElasticLaw::Hencky}};
-};
+constexpr auto enumNames(std::type_identity<ElasticLaw>) {
+  return std::array{std::pair{"neo-hookean", ElasticLaw::NeoHookean},
+                    std::pair{"hencky", ElasticLaw::Hencky}};
+}
 
 template <class Visitor>
 void describe(Visitor& v, J2Plasticity::Parameters& s) {
@@ -94,4 +93,4 @@ void describe(Visitor& v, J2Plasticity::Parameters& s) {
 /// See `checkMaterial`.
 void check(const J2Plasticity::Parameters& law, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

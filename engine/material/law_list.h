@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// What a document says about a law: the value of its key `law`, and a sentence.
 struct LawKind {
@@ -72,4 +72,4 @@ struct LawList {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/material/law_list.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// σ_y = σ_0 + h e.
 struct LinearHardening {
@@ -22,4 +22,4 @@ void describe(Visitor& v, LinearHardening& s) {
           "Increase of the yield stress per unit of plastic strain.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -8,7 +8,7 @@
 
 #include "engine/material/principal_axes.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 /// (ln a − ln b)/(a − b).
@@ -139,4 +139,4 @@ template Eigen::Matrix3d exponential<3>(const MandelVector<3>&);
 template MandelVector<2> halfLogarithm<2>(const Eigen::Matrix3d&);
 template MandelVector<3> halfLogarithm<3>(const Eigen::Matrix3d&);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,7 +3,7 @@
 
 #include "engine/material/mandel.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Eigenvalues of a symmetric tensor, and its eigenvectors as the columns of an orthogonal matrix; for Dim 2 the third
 /// one is the direction out of the plane.
@@ -66,4 +66,4 @@ Eigen::Matrix3d exponential(const MandelVector<Dim>& E);
 template <int Dim>
 MandelVector<Dim> halfLogarithm(const Eigen::Matrix3d& b);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

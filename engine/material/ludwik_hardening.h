@@ -2,7 +2,7 @@
 #include "engine/material/law_list.h"
 #include "engine/material/power_term.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Ludwik: σ_y = σ_0 + B e^n.
 struct LudwikHardening {
@@ -25,4 +25,4 @@ void describe(Visitor& v, LudwikHardening& s) {
           "Exponent of the plastic strain.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

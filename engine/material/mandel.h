@@ -6,7 +6,7 @@
 
 /// Symmetric tensors as vectors in the order of `kVoigt` with shears times √2 (Mandel's notation): the scalar product of
 /// tensors is that of the vectors, and a fourth-order tensor with its minor symmetries is a matrix that multiplies them.
-namespace burnish {
+namespace burnish::inline material {
 
 template <int Dim>
 using MandelVector = Eigen::Matrix<double, kVoigt<Dim>, 1>;
@@ -45,4 +45,4 @@ MandelMatrix<Dim> mandelRotation(const Eigen::Matrix3d& directions) {
   return rotation;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

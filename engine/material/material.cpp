@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 bool has(const std::vector<FieldKind>& fields, const std::string& name) {
@@ -69,4 +69,4 @@ void checkMaterial(const MaterialParameters& material, const Problems& problems,
       material);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

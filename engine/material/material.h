@@ -30,7 +30,7 @@
 ///   check(parameters, problems)       of what the rules of the keys do not say,
 ///   checkInPlane(parameters, problems)   the same of bodies in the plane.
 /// Everything else follows from this list.
-namespace burnish {
+namespace burnish::inline material {
 
 /// All material laws, one line each.
 using MaterialLaws = LawList<    //
@@ -125,4 +125,4 @@ std::string whyWithout(const MaterialParameters& material, const std::string& fi
 /// Reports what keeps the law from being made or, of a body in the plane, what would take it out of it.
 void checkMaterial(const MaterialParameters& material, const Problems& problems, bool isInThePlane);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

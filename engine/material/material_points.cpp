@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 /// Appends the numbers of a state.
@@ -167,4 +167,4 @@ void MaterialPoints::begin(const std::vector<Eigen::Matrix3d>& stretch, const Ei
   });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

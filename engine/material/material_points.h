@@ -10,7 +10,7 @@
 #include "engine/core/state_archive.h"
 #include "engine/material/material.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// A law with the states of its points: the accepted ones and those of the last evaluation.
 template <class Law>
@@ -93,4 +93,4 @@ class MaterialPoints {
   double lastStep_ = std::numeric_limits<double>::infinity();
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

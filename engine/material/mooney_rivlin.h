@@ -2,7 +2,7 @@
 #include "engine/material/isochoric_point.h"
 #include "engine/material/law_list.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// W̄ = C10 (Ī_1 − 3) + C01 (Ī_2 − 3).
 struct MooneyRivlin {
@@ -30,4 +30,4 @@ void describe(Visitor& v, MooneyRivlin& s) {
   v.field("C01", s.C01, {.required = true, .unit = "stress"}, "Constant of the second invariant.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

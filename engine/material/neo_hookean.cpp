@@ -5,7 +5,7 @@
 #include "engine/material/symmetric_tensor.h"
 #include "engine/material/volume_change.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 template <int Dim>
 bool NeoHookean::evaluate(const Eigen::Matrix3d& F, const State&, State&, MaterialResponse<Dim>& out) const {
@@ -41,4 +41,4 @@ template bool NeoHookean::evaluate<2>(const Eigen::Matrix3d&, const State&, Stat
 template bool NeoHookean::evaluate<3>(const Eigen::Matrix3d&, const State&, State&,
                                       MaterialResponse<3>&) const;
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -8,7 +8,7 @@
 #include "engine/material/push_forward.h"
 #include "engine/material/response.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Compressible neo-Hookean solid: W(F) = μ/2 (tr C − 3) − μ ln J + U(J).
 class NeoHookean {
@@ -51,11 +51,10 @@ class NeoHookean {
   ElasticModuli moduli_;
 };
 
-template <>
-struct EnumNames<NeoHookean::Volumetric> {
-  static constexpr std::array values{std::pair{"log", NeoHookean::Volumetric::Log},
-                                     std::pair{"simo", NeoHookean::Volumetric::Simo}};
-};
+constexpr auto enumNames(std::type_identity<NeoHookean::Volumetric>) {
+  return std::array{std::pair{"log", NeoHookean::Volumetric::Log},
+                    std::pair{"simo", NeoHookean::Volumetric::Simo}};
+}
 
 template <class Visitor>
 void describe(Visitor& v, NeoHookean::Parameters& s) {
@@ -64,4 +63,4 @@ void describe(Visitor& v, NeoHookean::Parameters& s) {
           "Volumetric energy U: log is lambda/2 (ln J)^2, simo is lambda/4 (J^2 - 1 - 2 ln J).");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 double Ogden::shearModulus() const {
   double sum = 0.0;
@@ -31,4 +31,4 @@ void check(const Ogden& energy, const Problems& problems) {
       problems.report(fmt::format("alpha[{}]", p), "found 0; allowed: a positive or a negative exponent.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,9 +4,11 @@
 #include "engine/material/isochoric_point.h"
 #include "engine/material/law_list.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// W̄ = Σ μ_p/α_p (λ̄_1^α_p + λ̄_2^α_p + λ̄_3^α_p − 3).
 struct Ogden {
@@ -34,4 +36,4 @@ void describe(Visitor& v, Ogden& s) {
 /// Reports what keeps the energy from being used.
 void check(const Ogden& energy, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 constexpr int kSmallestExponent = -10;  // the first piece is [0, 2^-10] before any refinement,
@@ -129,4 +129,4 @@ void PiecewiseChebyshev::append(double start, double end, const Coefficients& va
   pieces_.push_back(piece);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// An adaptive piecewise Chebyshev interpolant of a function on [0, 1024], accurate to about 14 digits
 /// wherever the function is smooth. Pieces become shorter towards 0 and at corners. Where the function is not
@@ -47,4 +47,4 @@ class PiecewiseChebyshev {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -10,7 +10,7 @@
 
 #include "engine/material/return_map.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 constexpr int kMaxIterations = 200;
@@ -384,4 +384,4 @@ template FlowResult flow<2>(const FlowLaw&, const YieldAxes<2>&, const Deviator<
 template FlowResult flow<3>(const FlowLaw&, const YieldAxes<3>&, const Deviator<3>&, double, double,
                             FlowState<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

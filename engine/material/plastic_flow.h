@@ -11,7 +11,7 @@
 
 /// Plastic flow of small strains with isotropic and kinematic hardening and rates. Deviators are referred to axes in
 /// which the yield condition is diagonal: T = basis·t, σ_H² = Σ η_j t_j².
-namespace burnish {
+namespace burnish::inline material {
 
 /// Number of components of a deviator.
 template <int Dim>
@@ -97,4 +97,4 @@ template <int Dim>
 FlowResult flow(const FlowLaw& law, const YieldAxes<Dim>& axes, const Deviator<Dim>& strain, double part,
                 double dt, FlowState<Dim>& state);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/material/state_field.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// The field of a state's `e_p`, the same for every law that flows.
 template <class State>
@@ -15,4 +15,4 @@ StateField<State> plasticStrainField() {
           [](const State& state, std::span<double> values) { values[0] = state.e_p; }};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

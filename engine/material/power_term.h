@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// A plastic strain that is added where a power of it has an infinite slope at zero. It is nothing beside the strain at
 /// the yield point of any metal.
@@ -20,4 +20,4 @@ struct PowerTerm {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

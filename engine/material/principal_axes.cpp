@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// One Jacobi rotation, which makes the block diagonal without cancellation.
 template <>
@@ -55,4 +55,4 @@ typename MaterialResponse<Dim>::Tangent PrincipalAxes<Dim>::tangent(
 template struct PrincipalAxes<2>;
 template struct PrincipalAxes<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,7 +3,7 @@
 
 #include "engine/material/symmetric_tensor.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Spectral decomposition of a symmetric tensor, Σ values_A n_A ⊗ n_A, also accurate for nearly equal values.
 /// For Dim 2 the third direction is the one out of the plane.
@@ -29,4 +29,4 @@ struct PrincipalAxes {
   Eigen::Matrix<double, kVoigt<Dim>, kVoigt<Dim>> basis;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/material/principal_axes.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Stress and tangent of an isotropic response in its principal axes, with the (trial) stretches λ_A.
 template <int Dim>
@@ -24,4 +24,4 @@ struct PrincipalResponse {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,6 +1,6 @@
 #include "engine/material/push_forward.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 Eigen::Matrix3d pushedForward(const Eigen::Matrix3d& b, const Eigen::Matrix3d& f) {
   // Assigned, not returned at once: Eigen sums the two in different orders, and rezoned runs keep their bits
@@ -10,4 +10,4 @@ Eigen::Matrix3d pushedForward(const Eigen::Matrix3d& b, const Eigen::Matrix3d& f
   return result;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -3,7 +3,7 @@
 
 #include "engine/material/material.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Whether the stress of the material depends on the time that a step takes: the law has a `rate`, and the scene gives
 /// it.
@@ -18,4 +18,4 @@ inline bool dependsOnRate(const MaterialParameters& material) {
       material);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

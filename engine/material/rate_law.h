@@ -7,7 +7,7 @@
 /// How the stress beyond the yield stress depends on the rate of plastic strain. Every law has
 ///   kind   its name in scenes, and a sentence,
 /// and a `describe` for what it is made from. The solution of the flow (`plastic_flow.h`) asks which one it is.
-namespace burnish {
+namespace burnish::inline material {
 
 /// Norton's overstress: σ = σ_y(e) + K ė^{1/N}. Perzyna's ė = ((σ/σ_y,0 − 1))^N/η is K = σ_y,0 η^{1/N} with a yield
 /// stress that stays.
@@ -49,4 +49,4 @@ void describe(Visitor& v, RateParameters& s) {
   RateLaws::describe(v, s, "How the stress depends on the rate of plastic strain.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Number of components of a symmetric tensor, in the order xx yy zz xy (2D: plane strain, axisymmetry) or
 /// xx yy zz xy yz zx (3D). Components are those of the tensor, without factors of two.
@@ -20,4 +20,4 @@ struct MaterialResponse {
   double plasticWork = 0.0;   ///< of this step: what a law dissipates, or stores in its hardening
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 constexpr double kTwoThirds = 2.0 / 3.0;
@@ -130,4 +130,4 @@ std::optional<PrincipalState> returnMap(const DeviatoricLaw& law, const Hardenin
   return std::nullopt;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

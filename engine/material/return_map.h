@@ -4,7 +4,7 @@
 
 #include "engine/material/hardening.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 inline constexpr double kRootTwoThirds = 0.81649658092772603;  // √(2/3)
 
@@ -51,4 +51,4 @@ PrincipalState elasticState(const DeviatoricLaw& law, const Eigen::Array3d& e_tr
 std::optional<PrincipalState> returnMap(const DeviatoricLaw& law, const Hardening& hardening,
                                         const Eigen::Array3d& e_tr, double e_p_old);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

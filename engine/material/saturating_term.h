@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// A stress that grows from 0 to q: q (1 − exp(−β e)), β >= 0.
 struct SaturatingTerm {
@@ -13,4 +13,4 @@ struct SaturatingTerm {
   double work(double e) const { return beta == 0.0 ? 0.0 : q * (e + std::expm1(-beta * e) / beta); }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// How a field is called.
 struct FieldKind {
@@ -35,4 +35,4 @@ struct CarriedNumber : CarriedKind {
   double& (*of)(State&);
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -2,7 +2,7 @@
 #include "engine/material/law_list.h"
 #include "engine/material/power_term.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Swift: σ_y = K (e_0 + e)^n.
 struct SwiftHardening {
@@ -24,4 +24,4 @@ void describe(Visitor& v, SwiftHardening& s) {
   v.field("exponent", s.power.n, {.required = true, .above = 0, .atMost = 1}, "Exponent of the sum.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -4,7 +4,7 @@
 #include "engine/material/response.h"
 
 /// Symmetric tensors as vectors in the component order of `kVoigt`.
-namespace burnish {
+namespace burnish::inline material {
 
 template <int Dim>
 using SymmetricTensor = Eigen::Matrix<double, kVoigt<Dim>, 1>;
@@ -51,4 +51,4 @@ double squaredNorm(const SymmetricTensor<Dim>& T) {
   return T.template head<3>().squaredNorm() + 2.0 * T.template tail<kVoigt<Dim> - 3>().squaredNorm();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

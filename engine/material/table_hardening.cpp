@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline material {
 namespace {
 
 void requireTable(const std::vector<double>& e, const std::vector<double>& sigma) {
@@ -75,4 +75,4 @@ void check(const TableHardening::Parameters& table, const Problems& problems, co
                                 table.stress.size(), table.ep.size()));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

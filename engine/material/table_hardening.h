@@ -4,9 +4,11 @@
 
 #include "engine/material/law_list.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline material {
 
 /// Yield stress from a table: piecewise linear, constant beyond the last entry.
 class TableHardening {
@@ -49,4 +51,4 @@ void describe(Visitor& v, TableHardening::Parameters& s) {
 /// See `checkHardening`.
 void check(const TableHardening::Parameters& table, const Problems& problems, const std::string& key);
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -2,7 +2,7 @@
 #include "engine/material/law_list.h"
 #include "engine/material/saturating_term.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// σ_y = σ_0 + q_1 (1 − exp(−β_1 e)) + q_2 (1 − exp(−β_2 e)).
 struct TwoTermVoceHardening {
@@ -29,4 +29,4 @@ void describe(Visitor& v, TwoTermVoceHardening& s) {
   v.field("beta2", s.second.beta, {.required = true, .atLeast = 0}, "Rate of saturation of the second term.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

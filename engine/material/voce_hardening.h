@@ -2,7 +2,7 @@
 #include "engine/material/law_list.h"
 #include "engine/material/saturating_term.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// σ_y = σ_0 + (σ_∞ − σ_0)(1 − exp(−β e)), eq. (44).
 struct VoceHardening {
@@ -28,4 +28,4 @@ void describe(Visitor& v, VoceHardening& s) {
   v.field("beta", s.beta, {.required = true, .atLeast = 0}, "Rate of saturation.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

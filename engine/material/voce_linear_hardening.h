@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/material/voce_hardening.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// σ_y = σ_0 + (σ_∞ − σ_0)(1 − exp(−β e)) + h e.
 struct VoceLinearHardening {
@@ -27,4 +27,4 @@ void describe(Visitor& v, VoceLinearHardening& s) {
           "Slope of the linear part.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

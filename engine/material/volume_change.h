@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Determinant of a deformation gradient, split so that nothing cancels near the undeformed state.
 struct VolumeChange {
@@ -24,4 +24,4 @@ struct VolumeChange {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// Volumetric part U(J) of an elastic law.
 struct VolumetricResponse {
@@ -24,4 +24,4 @@ struct VolumetricResponse {
   }
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -2,7 +2,7 @@
 #include "engine/material/isochoric_point.h"
 #include "engine/material/law_list.h"
 
-namespace burnish {
+namespace burnish::inline material {
 
 /// W̄ = C10 (Ī_1 − 3) + C20 (Ī_1 − 3)² + C30 (Ī_1 − 3)³.
 struct Yeoh {
@@ -33,4 +33,4 @@ void describe(Visitor& v, Yeoh& s) {
   v.field("C30", s.C30, {.unit = "stress"}, "Third constant.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline material

@@ -6,7 +6,7 @@
 
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 constexpr int kSamplesPerSpan = 8;
@@ -77,4 +77,4 @@ Eigen::Vector2d ArcLengthCurve::tangentAt(double s) const {
   return curve_.jacobian(parameter(parameterAt(s))).normalized();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

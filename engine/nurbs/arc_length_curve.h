@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// A plane curve by its arc length, from 0 at the begin of its parameter range.
 class ArcLengthCurve {
@@ -36,4 +36,4 @@ class ArcLengthCurve {
   std::vector<double> parameters_, lengths_;  ///< of samples in every span
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

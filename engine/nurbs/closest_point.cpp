@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 template <int P>
@@ -70,4 +70,4 @@ template ClosestPoint<2> closestPoint(const Patch<2, 3>&, const Eigen::Vector3d&
 template ClosestPoint<3> closestPoint(const Patch<3, 3>&, const Eigen::Vector3d&,
                                       const std::vector<Eigen::Vector3d>&, int, double);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Parameter points of a tensor product at the given shares (0 to 1) of the range of every direction, first
 /// direction fastest.
@@ -26,4 +26,4 @@ ClosestPoint<P> closestPoint(const Patch<P, S>& patch, const typename Patch<P, S
                              const std::vector<Eigen::Vector<double, P>>& starts, int maxSteps,
                              double near = 0.0);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -5,7 +5,7 @@
 
 #include "engine/nurbs/refinement.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 /// Equal spans whose lengths differ by rounding count as equal.
@@ -79,4 +79,4 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> transferMatrix(const UnivariateBasi
   return T.sparseView(1.0, kNothing);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/univariate_basis.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Which neighbouring spans become one when a mesh is made coarser.
 struct MergeRule {
@@ -29,4 +29,4 @@ UnivariateBasis coarsened(const UnivariateBasis& fine, const std::vector<int>& k
 Eigen::SparseMatrix<double, Eigen::RowMajor> transferMatrix(const UnivariateBasis& coarse,
                                                             const UnivariateBasis& fine);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -2,7 +2,7 @@
 
 #include "engine/nurbs/refinement.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 /// Coefficients with a matrix applied along each direction. matrix: of a direction.
@@ -59,4 +59,4 @@ template Eigen::MatrixXd valuesAtAnchors(const TensorBasis<3>&, const Eigen::Mat
                                          const TensorBasis<3>&);
 template Eigen::MatrixXd interpolatedOn(const TensorBasis<3>&, const TensorBasis<3>&, const Eigen::MatrixXd&);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

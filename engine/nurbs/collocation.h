@@ -5,7 +5,7 @@
 #include "engine/nurbs/patch.h"
 
 /// Functions by their values at anchors (Greville abscissae, nodes).
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Values of the functions of a basis: parameters x functions.
 Eigen::MatrixXd functionValuesAt(const UnivariateBasis& basis, const std::vector<double>& parameters);
@@ -26,4 +26,4 @@ template <int P>
 Eigen::MatrixXd interpolatedOn(const TensorBasis<P>& to, const TensorBasis<P>& from,
                                const Eigen::MatrixXd& coefficients);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

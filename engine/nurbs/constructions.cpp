@@ -14,7 +14,7 @@
 #include "engine/core/error.h"
 #include "engine/nurbs/refinement.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 using Eigen::Matrix3d;
@@ -372,4 +372,4 @@ template Patch<3, 3> revolved(const Patch<2, 3>&, const Vector3d&, const Vector3
 template Patch<2, 3> sweptAlong(const Patch<1, 3>&, const Patch<1, 3>&, double);
 template Patch<3, 3> sweptAlong(const Patch<2, 3>&, const Patch<1, 3>&, double);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

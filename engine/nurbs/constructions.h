@@ -3,7 +3,7 @@
 
 /// Patches made of curves and faces in space. Those of a profile of P parameters have its parameters first, then one
 /// along the new direction, which begins with the profile itself.
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// The profile moved along a vector: degree 1, one span. Exact.
 template <int P>
@@ -34,4 +34,4 @@ double lengthOf(const Patch<1, 3>& curve);
 /// A face in the plane z = 0 as one of two dimensions.
 Patch<2> inPlane(const Patch<2, 3>& face);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// The splines that span the derivatives of a basis in each direction.
 template <int P>
@@ -14,4 +14,4 @@ TensorBasis<P> derivativeSpace(const TensorBasis<P>& basis) {
   return TensorBasis<P>(std::move(directions));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

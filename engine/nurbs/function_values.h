@@ -3,7 +3,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Values of the functions of a span at parameters in it, without weights, in the order of `spanFunctions`.
 template <int Dim>
@@ -18,4 +18,4 @@ Eigen::VectorXd functionValues(const TensorBasis<Dim>& basis, int span,
   return values;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

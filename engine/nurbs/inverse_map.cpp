@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 constexpr int kMaxSteps = 15;
@@ -57,4 +57,4 @@ bool InverseMap<Dim>::arrived(const ClosestPoint<Dim>& found) const {
 template class InverseMap<2>;
 template class InverseMap<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -5,7 +5,7 @@
 #include "engine/nurbs/closest_point.h"
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// The parameters of positions in a patch.
 template <int Dim>
@@ -37,4 +37,4 @@ class InverseMap {
   std::vector<Sample> samples_;  ///< the middles of all spans
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 KnotVector::KnotVector(int degree, std::vector<double> knots) : degree_(degree), knots_(std::move(knots)) {
   if (degree_ < 1) throw Error(fmt::format("knot vector: degree {} is below 1", degree_));
@@ -60,4 +60,4 @@ double KnotVector::greville(int function) const {
   return std::accumulate(first, first + degree_, 0.0) / degree_;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

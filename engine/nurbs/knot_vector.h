@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// An open knot vector Ξ of degree p, eqs. (11)-(13).
 ///
@@ -39,4 +39,4 @@ class KnotVector {
   std::vector<int> intervals_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

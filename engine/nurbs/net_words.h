@@ -1,6 +1,6 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Of the keys `file` and `entry` of control nets.
 inline constexpr const char* kNetFileSentence =
@@ -21,4 +21,4 @@ inline constexpr const char* kNetUnitSentence =
 inline constexpr const char* kNetFlipSentence =
     "Of a CAD file: the two directions of the face change places, for a body on its other side.";
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 constexpr std::array<const char*, 6> kFaceNames{"left", "right", "bottom", "top", "back", "front"};
@@ -233,4 +233,4 @@ template std::vector<int> faceFunctions(const TensorBasis<3>&, FaceId);
 template Patch<1, 2> tracePatch(const Patch<2, 2>&, FaceId);
 template Patch<2, 3> tracePatch(const Patch<3, 3>&, FaceId);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -6,7 +6,7 @@
 
 #include "engine/nurbs/univariate_basis.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Tensor product of P univariate bases. Functions and spans are numbered with the first direction fastest.
 template <int P>
@@ -95,4 +95,4 @@ std::vector<int> faceFunctions(const TensorBasis<P>& basis, FaceId face);
 template <int P, int S>
 Patch<P - 1, S> tracePatch(const Patch<P, S>& patch, FaceId face);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

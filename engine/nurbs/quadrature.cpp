@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 QuadratureRule gaussLegendre(int n) {
   QuadratureRule rule{Eigen::VectorXd(n), Eigen::VectorXd(n)};
@@ -25,4 +25,4 @@ QuadratureRule gaussLegendre(int n) {
   return rule;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// A quadrature rule on [0, 1].
 struct QuadratureRule {
@@ -12,4 +12,4 @@ struct QuadratureRule {
 /// Gauss-Legendre rule with n >= 1 points, exact for polynomials of degree 2n-1.
 QuadratureRule gaussLegendre(int n);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

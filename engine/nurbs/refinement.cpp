@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 /// Bernstein coefficients (rows) of degree p raised to degree q.
@@ -174,4 +174,4 @@ template Patch<1, 3> refined(const Patch<1, 3>&, const std::vector<KnotVector>&)
 template Patch<2, 2> lagrangeInterpolant(const Patch<2, 2>&, int, const std::vector<std::vector<double>>&);
 template Patch<3, 3> lagrangeInterpolant(const Patch<3, 3>&, int, const std::vector<std::vector<double>>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

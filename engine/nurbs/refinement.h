@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Matrix T (functions of `fine` x functions of `coarse`) such that coefficients c of the coarse spline space
 /// and T c of the fine one describe the same function. `fine` may have a higher degree, more knots, or both.
@@ -40,4 +40,4 @@ template <int P, int S>
 Patch<P, S> lagrangeInterpolant(const Patch<P, S>& patch, int degree,
                                 const std::vector<std::vector<double>>& breakpoints);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

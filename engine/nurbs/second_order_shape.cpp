@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 /// Values and two derivatives of a span's functions, (p+1) x 3, continued linearly beyond its ends.
@@ -118,4 +118,4 @@ template Eigen::MatrixXd crossingDerivatives(const TensorBasis<1>&, const Eigen:
 template Eigen::MatrixXd crossingDerivatives(const TensorBasis<2>&, const Eigen::VectorXd&, int,
                                              const Eigen::Vector<double, 2>&, int);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

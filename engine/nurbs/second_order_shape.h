@@ -3,7 +3,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 /// Number of the second derivative by parameters a and b among the P(P+1)/2 different ones: those by one
 /// parameter twice come first, then the mixed one.
@@ -31,4 +31,4 @@ template <int P>
 Eigen::MatrixXd crossingDerivatives(const TensorBasis<P>& basis, const Eigen::VectorXd& weights, int span,
                                     const Eigen::Vector<double, P>& xi, int direction);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -10,7 +10,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 UnivariateBasis oneSpan(int degree) {
@@ -194,4 +194,4 @@ Patch<3> ballOctant(const Eigen::Vector3d& center, double radius, const Eigen::V
   return shell(center, frame, 0.0, radius, quarter, quarter);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

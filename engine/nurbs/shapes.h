@@ -3,7 +3,7 @@
 
 /// Exact shapes on their coarsest bases; all parameters run over [0, 1]. Angles in radians; arcs must open
 /// less than π.
-namespace burnish {
+namespace burnish::inline nurbs {
 
 Patch<2> rectangle(const Eigen::Vector2d& origin, const Eigen::Vector2d& size);
 
@@ -46,4 +46,4 @@ Patch<3> sphereSegment(const Eigen::Vector3d& center, double innerRadius, double
 /// to the diameter. Degrees 1, 2 and 2.
 Patch<3> ballOctant(const Eigen::Vector3d& center, double radius, const Eigen::Vector3d& pole);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -9,7 +9,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 namespace {
 
 /// Bernstein coefficients of the p+1 B-splines on knot interval i: their blossoms at (a, …, a, b, …, b),
@@ -147,4 +147,4 @@ int UnivariateBasis::findSpan(double xi) const {
   return std::clamp(static_cast<int>(above - breakpoints_.begin()) - 1, 0, numSpans() - 1);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -4,7 +4,7 @@
 
 #include "engine/nurbs/knot_vector.h"
 
-namespace burnish {
+namespace burnish::inline nurbs {
 
 enum class BasisFamily { BSpline, Lagrange };
 
@@ -78,4 +78,4 @@ class UnivariateBasis {
 /// Bernstein polynomials of degree p on [a, b] and their derivatives at x: (p+1) x (derivatives+1).
 Eigen::MatrixXd bernstein(int degree, double a, double b, double x, int derivatives);
 
-}  // namespace burnish
+}  // namespace burnish::inline nurbs

@@ -8,7 +8,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 constexpr int kHighestDegree = 30;
@@ -208,4 +208,4 @@ void checkFrame(const FrameRecord& frame, const ModelRecord& model, const std::s
               place);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

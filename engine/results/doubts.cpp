@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 std::string countText(double count) {
@@ -182,4 +182,4 @@ double imbalanceOf(double found, double done, double largestEnergy) {
   return scale > 0.0 ? std::abs(done - found) / scale : 0.0;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -6,7 +6,7 @@
 #include "engine/core/state_archive.h"
 
 /// What makes the results of a run doubtful. docs/doubts.md explains the conditions.
-namespace burnish {
+namespace burnish::inline results {
 
 /// Conditions of any scene, in the order in which they are told.
 enum class Condition : std::size_t {
@@ -69,4 +69,4 @@ std::string detailOf(Condition condition, const Doubt& doubt);
 /// the body: the sums of work keep the errors of what went in and out.
 double imbalanceOf(double found, double done, double largestEnergy);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

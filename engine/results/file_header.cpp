@@ -4,7 +4,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 int formatOf(const hdf5::InputGroup& root) {
@@ -37,4 +37,4 @@ std::string readHeader(const hdf5::InputGroup& root, const std::string& kind) {
   return root.text("model");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -4,7 +4,7 @@
 #include "engine/results/hdf5_input.h"
 #include "engine/results/hdf5_output.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 constexpr int kResultFormat = 2;
 
@@ -15,4 +15,4 @@ void writeHeader(const hdf5::OutputGroup& root, const std::string& kind, const s
 /// Returns `model`. Throws `Error` for a file that is foreign, of another format or of another kind.
 std::string readHeader(const hdf5::InputGroup& root, const std::string& kind);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

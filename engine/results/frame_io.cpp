@@ -9,7 +9,7 @@
 #include "engine/results/file_header.h"
 #include "engine/results/mesh_io.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 using hdf5::InputDataset;
@@ -150,4 +150,4 @@ double readFrameTime(const std::filesystem::path& path, const StoredModel& model
   return rootOfFrame(file, model).real("time");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -7,7 +7,7 @@
 #include "engine/results/model_io.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// The frame file as bytes.
 std::vector<std::byte> frameImage(const FrameRecord& frame, const std::string& modelId);
@@ -18,4 +18,4 @@ FrameRecord readFrame(const std::filesystem::path& path, const StoredModel& mode
 /// The time of a frame without its fields.
 double readFrameTime(const std::filesystem::path& path, const StoredModel& model);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace burnish::hdf5 {
+namespace burnish::inline results::hdf5 {
 
 /// Owns an HDF5 identifier and closes it with the function of its kind.
 class Handle {
@@ -37,4 +37,4 @@ inline void silenceErrors() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-}  // namespace burnish::hdf5
+}  // namespace burnish::inline results::hdf5

@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish::hdf5 {
+namespace burnish::inline results::hdf5 {
 namespace {
 
 constexpr std::size_t kLargestText = 1 << 16;  // bytes of a string attribute
@@ -218,4 +218,4 @@ InputGroup InputFile::root() const {
   return {std::move(root), name_};
 }
 
-}  // namespace burnish::hdf5
+}  // namespace burnish::inline results::hdf5

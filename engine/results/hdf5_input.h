@@ -6,7 +6,7 @@
 
 #include "engine/results/hdf5_handle.h"
 
-namespace burnish::hdf5 {
+namespace burnish::inline results::hdf5 {
 
 /// A group or dataset that is being read. Whatever is missing, of another type or unreadable throws `Error`
 /// with the file and the object's path in it.
@@ -81,4 +81,4 @@ class InputFile {
   Handle file_;
 };
 
-}  // namespace burnish::hdf5
+}  // namespace burnish::inline results::hdf5

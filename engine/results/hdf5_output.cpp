@@ -6,7 +6,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace burnish::hdf5 {
+namespace burnish::inline results::hdf5 {
 namespace {
 
 constexpr hsize_t kLargestCompactDataset = 8 << 10;  // bytes; HDF5 allows just under 64 KiB
@@ -214,4 +214,4 @@ std::vector<std::byte> OutputImage::finish() {
   return {begin, begin + size};
 }
 
-}  // namespace burnish::hdf5
+}  // namespace burnish::inline results::hdf5

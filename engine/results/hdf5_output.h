@@ -7,7 +7,7 @@
 
 #include "engine/results/hdf5_handle.h"
 
-namespace burnish::hdf5 {
+namespace burnish::inline results::hdf5 {
 
 /// A group or dataset that is being written. A failed HDF5 call throws `std::runtime_error`: the file is in
 /// memory, so nothing outside the program can be the reason.
@@ -64,4 +64,4 @@ class OutputImage {
   Handle file_;
 };
 
-}  // namespace burnish::hdf5
+}  // namespace burnish::inline results::hdf5

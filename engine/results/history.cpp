@@ -14,7 +14,7 @@
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 /// Of a table that is read: names in quotes may have commas.
@@ -181,4 +181,4 @@ HistoryTable readHistory(const std::filesystem::path& path) {
   return table;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -7,7 +7,7 @@
 #include "engine/core/fingerprint.h"
 #include "engine/core/output_file.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// How far a table had been written, and what was in it.
 struct TableMark {
@@ -61,4 +61,4 @@ const std::vector<double>* findColumn(const HistoryTable& table, const std::stri
 /// another length.
 HistoryTable readHistory(const std::filesystem::path& path);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

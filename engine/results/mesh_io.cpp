@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 using hdf5::InputDataset;
@@ -73,4 +73,4 @@ MeshRecord readMesh(const InputGroup& group, int dim) {
   return {.numNodes = group.integer("num_nodes"), .patches = readPatches(group, dim)};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

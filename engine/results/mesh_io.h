@@ -5,7 +5,7 @@
 #include "engine/results/hdf5_output.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Makes the group `patches` with a group for each.
 void writePatches(const hdf5::OutputGroup& parent, const std::vector<PatchRecord>& patches);
@@ -20,4 +20,4 @@ void writeMesh(const hdf5::OutputGroup& group, const MeshRecord& mesh);
 /// Throws as `readPatches`.
 MeshRecord readMesh(const hdf5::InputGroup& group, int dim);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -15,7 +15,7 @@
 #include "engine/results/file_header.h"
 #include "engine/results/mesh_io.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 using hdf5::InputGroup;
@@ -203,4 +203,4 @@ bool isAxisymmetric(const ModelRecord& model) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -6,7 +6,7 @@
 
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// A model and the identity that its frames refer to: a checksum of its contents.
 struct StoredModel {
@@ -22,4 +22,4 @@ std::vector<std::byte> modelImage(const StoredModel& model);
 /// Throws `Error` if the file is not a whole model.
 StoredModel readModel(const std::filesystem::path& path);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

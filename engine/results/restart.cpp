@@ -10,7 +10,7 @@
 #include "engine/results/file_header.h"
 #include "engine/results/result_files.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ void removeRestartsBefore(const fs::path& modelFile, int step) {
     if (file.filename() < first.filename()) deleteFile(file);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

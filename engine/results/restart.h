@@ -5,7 +5,7 @@
 #include "engine/results/history.h"
 #include "engine/results/model_io.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Where a stopped run goes on.
 struct RestartRecord {
@@ -27,4 +27,4 @@ RestartRecord readNewestRestart(const std::filesystem::path& modelFile, const St
 /// Deletes the records of steps before `step`. Throws `Error` if the file system refuses.
 void removeRestartsBefore(const std::filesystem::path& modelFile, int step);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

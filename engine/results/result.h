@@ -10,7 +10,7 @@
 #include "engine/tools/recorded_shape.h"
 
 /// What a result holds, as plain values: the one place where engine and post-processor meet.
-namespace burnish {
+namespace burnish::inline results {
 
 struct DirectionRecord {
   BasisFamily family = BasisFamily::BSpline;
@@ -126,4 +126,4 @@ inline const MeshRecord& meshOf(const ModelRecord& model, const FrameRecord& fra
   return frame.mesh ? *frame.mesh : model.mesh;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -13,7 +13,7 @@
 #include "engine/results/file_header.h"
 #include "engine/results/summary_file.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ void deleteFile(const fs::path& path) {
   if (status) throw Error(fmt::format("cannot delete {}: {}", path.string(), status.message()));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -4,7 +4,7 @@
 
 /// Names of the files of a result: `NAME.h5` with the model and `NAME/frame_000000.h5`, … beside it, one per
 /// frame; `NAME/restart_000123.h5` is what a run that was stopped after so many steps goes on from.
-namespace burnish {
+namespace burnish::inline results {
 
 /// DIR/result.h5, the model file of a run's directory.
 std::filesystem::path modelFile(const std::filesystem::path& directory);
@@ -34,4 +34,4 @@ void removeUnfinished(const std::filesystem::path& modelFile, int frames);
 /// Throws `Error` if the file system refuses; a file that is not there is no error.
 void deleteFile(const std::filesystem::path& path);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

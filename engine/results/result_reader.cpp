@@ -8,7 +8,7 @@
 #include "engine/results/frame_io.h"
 #include "engine/results/result_files.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,4 +51,4 @@ FrameRecord ResultReader::frame(int index) const {
   return frame;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

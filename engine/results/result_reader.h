@@ -5,7 +5,7 @@
 #include "engine/results/model_io.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Reads a result, also while the run that makes it goes on. Everything read is checked: sizes agree, indices
 /// are in range. Every member throws `Error` for files that are missing, foreign, damaged or of another
@@ -33,4 +33,4 @@ class ResultReader {
   int numFrames_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -12,7 +12,7 @@
 #include "engine/results/result_files.h"
 #include "engine/results/summary_file.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ void ResultWriter::write(const FrameRecord& frame) {
   ++numFrames_;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -6,7 +6,7 @@
 #include "engine/results/restart.h"
 #include "engine/results/result.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Writes a result, one file per frame, each under its final name only when it is complete and on the disk:
 /// at every moment, and after the process was killed at any moment, `ResultReader` finds all frames appended
@@ -54,4 +54,4 @@ class ResultWriter {
   int numFrames_ = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -8,7 +8,7 @@
 
 /// What a run says about itself at its end. Each struct describes its entries in `summary.yaml`: their names,
 /// order and meaning. An entry that is not required is left out when it is empty.
-namespace burnish {
+namespace burnish::inline results {
 
 /// A condition that makes results doubtful from a time on.
 struct DoubtRecord {
@@ -229,4 +229,4 @@ std::map<std::string, double> numbersOf(const RunAccount& account);
 /// The names of all entries that may be numbers.
 std::vector<std::string> numberNames();
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -4,7 +4,7 @@
 
 #include "engine/results/result_files.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 HistoryWriter makeTable(const std::filesystem::path& path, const std::vector<std::string>& columns,
@@ -55,4 +55,4 @@ bool canBeResumed(const std::filesystem::path& directory) {
   return !restartFiles(modelFile(directory)).empty();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -8,7 +8,7 @@
 #include "engine/results/result_writer.h"
 #include "engine/results/summary_file.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Everything that a run writes into its directory: the result set, `history.csv`, `convergence.csv` and
 /// `summary.yaml`, so that the run can be stopped at any moment and resumed. Every member throws `Error` if
@@ -50,4 +50,4 @@ class RunFiles {
 /// Whether a run in this directory was stopped and left a state to go on from.
 bool canBeResumed(const std::filesystem::path& directory);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -10,7 +10,7 @@
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline results {
 namespace {
 
 std::filesystem::path summaryFile(const std::filesystem::path& directory) {
@@ -168,4 +168,4 @@ void removeSummary(const std::filesystem::path& directory) {
     throw Error(fmt::format("cannot remove {}: {}", summaryFile(directory).string(), status.message()));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline results

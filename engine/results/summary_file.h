@@ -3,7 +3,7 @@
 
 #include "engine/results/run_account.h"
 
-namespace burnish {
+namespace burnish::inline results {
 
 /// Throws `Error` if the file cannot be written.
 void writeSummary(const std::filesystem::path& directory, const RunAccount& account);
@@ -15,4 +15,4 @@ RunAccount readSummary(const std::filesystem::path& directory);
 /// A run removes the summary of an earlier one before it starts, so a summary means a run that has ended.
 void removeSummary(const std::filesystem::path& directory);
 
-}  // namespace burnish
+}  // namespace burnish::inline results

@@ -6,7 +6,7 @@
 
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 FittedCurve fitCurve(const ArcLengthCurve& curve, const UnivariateBasis& basis) {
   const int pointsPerSpan = 2 * basis.degree() + 2;
@@ -46,4 +46,4 @@ FittedCurve fitCurve(const ArcLengthCurve& curve, const UnivariateBasis& basis) 
   return fit;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

@@ -4,7 +4,7 @@
 #include "engine/nurbs/arc_length_curve.h"
 #include "engine/nurbs/univariate_basis.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// A curve on a new basis.
 struct FittedCurve {
@@ -16,4 +16,4 @@ struct FittedCurve {
 /// shares of the arc length; the ends are interpolated.
 FittedCurve fitCurve(const ArcLengthCurve& curve, const UnivariateBasis& basis);
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline rezoning {
 namespace {
 
 /// Lagrange polynomials of the coordinates first … first + n - 1 at x.
@@ -98,4 +98,4 @@ Eigen::VectorXd GridInterpolation<P>::operator()(const Eigen::Vector<double, P>&
 template class GridInterpolation<2>;
 template class GridInterpolation<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// Values on a tensor grid of parameters, between its points by cubic interpolation in each direction. What
 /// is interpolated stays within the range of the three points in each direction around it, so that a steep profile
@@ -35,4 +35,4 @@ class GridInterpolation {
   Eigen::MatrixXd values_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

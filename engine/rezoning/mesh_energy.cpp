@@ -6,7 +6,7 @@
 #include "engine/solid/displacement_term.h"
 #include "engine/solver/newton.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 namespace {
 
 constexpr double kTolerance = 1e-8;
@@ -76,4 +76,4 @@ std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& siz
   return Patch<2>(mesh.basis(), rectangle.points() + x.reshaped(2, body.numNodes), mesh.weights());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

@@ -3,7 +3,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// Whether the control points of a face have the same coordinate, but for rounding.
 bool isFlat(const Patch<2>& mesh, FaceId face, int coordinate);
@@ -14,4 +14,4 @@ bool isFlat(const Patch<2>& mesh, FaceId face, int coordinate);
 /// excepted. Nothing if that was not found. The determinant of the mesh's map must be positive.
 std::optional<Patch<2>> relaxed(const Patch<2>& mesh, const Eigen::Vector2d& size, FaceId fixed);
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

@@ -12,7 +12,7 @@
 #include "engine/rezoning/mesh_energy.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 namespace {
 
 /// Quality from which a transfinite mesh is used as it is.
@@ -182,4 +182,4 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
   return Remeshing{std::move(mesh), boundaryError, quality, distribution.smallest};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

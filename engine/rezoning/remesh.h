@@ -6,7 +6,7 @@
 #include "engine/rezoning/rezoning_options.h"
 #include "engine/rezoning/span_distribution.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 struct RemeshOptions {
   FaceId face = 3;             ///< along which the knot spans are distributed
@@ -32,4 +32,4 @@ std::optional<Remeshing> remesh(const Patch<2>& deformed, const RemeshOptions& o
 /// Smallest over largest determinant of the map at the quadrature points of all spans.
 double meshQuality(const Patch<2>& patch);
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

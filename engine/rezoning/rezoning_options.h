@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// What a new mesh is like, whatever part of the face is finest.
 struct NewMeshOptions {
@@ -64,4 +64,4 @@ void describe(Visitor& v, RezoningOptions& s) {
   describe(v, s.mesh);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

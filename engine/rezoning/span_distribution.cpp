@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 namespace {
 
 constexpr int kIntervals = 4000;
@@ -106,4 +106,4 @@ std::vector<double> distributeLayers(double depth, double first, int numSpans) {
   return breakpoints;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

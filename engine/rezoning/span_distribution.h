@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// A part of a face, by arc length from the begin of the face.
 struct ArcInterval {
@@ -34,4 +34,4 @@ SpanDistribution distributeSpans(double length, const ArcInterval& finest, int n
 /// where the first size times their number already fills the depth. From 0 to 1, the first at 0.
 std::vector<double> distributeLayers(double depth, double first, int numSpans);
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

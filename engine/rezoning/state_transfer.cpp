@@ -14,7 +14,7 @@
 #include "engine/nurbs/function_values.h"
 #include "engine/rezoning/grid_interpolation.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 namespace {
 
 /// f of the eigenvalues of a symmetric tensor.
@@ -198,4 +198,4 @@ template ReferenceState referenceState(const SpanQuadrature<2>&, const PointStat
 template ReferenceState referenceState(const SpanQuadrature<3>&, const PointStates&,
                                        std::vector<Eigen::Matrix3d>);
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

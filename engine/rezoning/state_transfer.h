@@ -7,7 +7,7 @@
 #include "engine/solid/reference_state.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline rezoning {
 
 /// Parameters, in the old patch, of positions along a path through the new one, each found from the one
 /// before. Throws `Error` if a position is farther than `farthest` from the old patch.
@@ -38,4 +38,4 @@ template <int Dim>
 ReferenceState referenceState(const SpanQuadrature<Dim>& quadrature, const PointStates& states,
                               std::vector<Eigen::Matrix3d> gradients = {});
 
-}  // namespace burnish
+}  // namespace burnish::inline rezoning

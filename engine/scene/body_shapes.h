@@ -3,7 +3,7 @@
 
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Calls `act(shape, path)` for every shape of bodies in a scene's tree: those of `geometry`, of its patches, and of
 /// `bodies`.
@@ -26,4 +26,4 @@ void forEachBodyShape(YamlNode& root, const Act& act) {
     ofGeometry(bodies->children[k], "bodies[" + std::to_string(k) + "].");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -14,7 +14,7 @@
 #include "engine/scene/cad_unit.h"
 #include "engine/tools/surface_file.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 YamlNode scalarAt(const Place& place, double value) {
@@ -139,4 +139,4 @@ std::optional<YamlNode> netOfCad(const std::filesystem::path& file, const YamlNo
   return std::nullopt;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

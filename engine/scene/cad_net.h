@@ -5,7 +5,7 @@
 
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// A face of a CAD file as a mapping of degrees, knots, points and weights, all of it at the place where the file is named, as `shape`, a
 /// mapping at a path, has it by its keys `face`, `unit` and `flip`. ∂1 x ∂2 points out of the face's solid; a plane body is in the
@@ -15,4 +15,4 @@ std::optional<YamlNode> netOfCad(const std::filesystem::path& file, const YamlNo
                                  const YamlNode& root, const std::string& path, bool isPlaneBody,
                                  Diagnostics& errors);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

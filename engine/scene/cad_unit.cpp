@@ -5,7 +5,7 @@
 #include "engine/core/quoted.h"
 #include "engine/core/unit_label.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 std::optional<std::string> cadUnitOf(const YamlNode& root, const std::string& path, Diagnostics& errors) {
   const YamlNode* units = root.find("units");
@@ -22,4 +22,4 @@ std::optional<std::string> cadUnitOf(const YamlNode& root, const std::string& pa
   return std::nullopt;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

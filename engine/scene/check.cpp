@@ -2,7 +2,7 @@
 
 #include "engine/scene/check_context.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   const CheckContext context{scene, root, errors};
@@ -14,4 +14,4 @@ void checkScene(const Scene& scene, const YamlNode& root, Diagnostics& errors) {
   checkRun(context);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -11,7 +11,7 @@
 #include "engine/scene/check_context.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// Whether a face of the body carries multipliers.
@@ -109,4 +109,4 @@ void checkBodies(const CheckContext& c) {
   for (std::size_t k = 0; k < c.scene.allBodies().size(); ++k) checkBody(c, k);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -12,7 +12,7 @@
 #include "engine/scene/check_motion.h"
 #include "engine/scene/support_names.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 void checkFixed(const CheckContext& c, const std::string& path, const std::vector<std::string>& fix) {
@@ -292,4 +292,4 @@ void checkBoundary(const CheckContext& c) {
   checkSelfContact(c);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

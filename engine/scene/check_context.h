@@ -5,7 +5,7 @@
 #include "engine/scene/scene.h"
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// What every check looks at, and where it reports.
 struct CheckContext {
@@ -79,4 +79,4 @@ void checkTimes(const CheckContext& context, const std::string& path, const std:
 /// Steps and output.
 void checkRun(const CheckContext& context);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -13,7 +13,7 @@
 #include "engine/core/quoted.h"
 #include "engine/scene/check_context.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// Other names would be taken apart, without a word.
@@ -127,4 +127,4 @@ void checkDefinitions(const CheckContext& c) {
     c.report(fmt::format("definitions[{}].formula", problem.definition), fmt::format("{}.", problem.text));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

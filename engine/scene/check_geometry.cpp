@@ -16,7 +16,7 @@
 #include "engine/scene/path_mesh.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// Beyond this number of basis functions a direct solver does not fit any machine; the indices of its matrix
@@ -344,4 +344,4 @@ void checkGeometry(const CheckContext& c, std::size_t body) {
                                kMostFunctions));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -4,7 +4,7 @@
 
 #include "engine/scene/check_context.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// A field of another material.
@@ -69,4 +69,4 @@ void checkMeasures(const CheckContext& c) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

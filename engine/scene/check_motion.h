@@ -10,7 +10,7 @@
 #include "engine/scene/check_context.h"
 
 /// Checks that supports, loads and tools share.
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Keys and values of the components of a motion or a load that may be left out.
 template <class T>
@@ -90,4 +90,4 @@ void checkFormulas(const CheckContext& c, const std::string& path, const Compone
   checkEachFormula(c, path, components, check);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

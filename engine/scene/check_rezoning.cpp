@@ -8,7 +8,7 @@
 #include "engine/material/rate_dependence.h"
 #include "engine/scene/check_context.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// What a scene with rezoning cannot have.
@@ -201,4 +201,4 @@ void checkRezoning(const CheckContext& c) {
   checkContact(c);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

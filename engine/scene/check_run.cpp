@@ -3,7 +3,7 @@
 #include "engine/scene/check_context.h"
 #include "engine/solver/multigrid.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 void checkSteps(const CheckContext& c) {
@@ -53,4 +53,4 @@ void checkRun(const CheckContext& c) {
   if (c.clean("steps")) checkOutput(c);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

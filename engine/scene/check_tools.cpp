@@ -12,7 +12,7 @@
 #include "engine/scene/path_of_tool.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// The degrees of freedom in which a tool moves or carries a load, by key: displacements and the turn.
@@ -256,4 +256,4 @@ std::vector<std::string> checkTools(const CheckContext& c) {
   return checkToolNames(c);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -25,7 +25,7 @@
 #include "engine/solid/bodies/bodies.h"
 #include "engine/tools/tool_shape.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 const DocumentKind kNetKind{
@@ -231,4 +231,4 @@ void insertControlNetFiles(YamlNode& root, const std::filesystem::path& director
       root, [&](YamlNode& shape, const std::string& path) { completeShape(shape, path, scene, errors); });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -3,7 +3,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Dimensions of a shape; 0 where they follow from degrees that are not there. Of several patches, those of the first.
 template <class Shape>
@@ -19,4 +19,4 @@ int dimensionOf(const std::variant<Shape...>& shape) {
   return std::visit([](const auto& one) { return dimensionOf(one); }, shape);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

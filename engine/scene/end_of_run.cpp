@@ -1,6 +1,6 @@
 #include "engine/scene/end_of_run.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 void replaceScalar(YamlNode& node, const std::string& time) {
@@ -24,4 +24,4 @@ void replaceEndOfRun(YamlNode& root, const std::string& time) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

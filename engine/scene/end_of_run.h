@@ -3,7 +3,7 @@
 
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Whether a time is given in words: `end` or `last`, the end of the run.
 bool isEndOfRun(const std::string& text);
@@ -11,4 +11,4 @@ bool isEndOfRun(const std::string& text);
 /// Puts `time` where a tree has such a word as the value of `time` or in a list of `times`.
 void replaceEndOfRun(YamlNode& root, const std::string& time);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

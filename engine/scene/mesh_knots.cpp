@@ -10,7 +10,7 @@
 #include "engine/core/quoted.h"
 #include "engine/nurbs/refinement.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// Smallest share of a graded span, and tolerance of the grading at its ends.
@@ -92,4 +92,4 @@ int numFunctions(const BodySpec& body, const KnotVector& knots) {
   return body.basis == BasisChoice::Nurbs ? knots.numFunctions() : knots.numSpans() * body.degree + 1;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -4,7 +4,7 @@
 #include "engine/nurbs/knot_vector.h"
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Number of parts into which a mesh divides every knot span of a shape in one direction.
 int partsOf(const BodySpec& body, const MeshSpec& mesh, std::size_t direction);
@@ -19,4 +19,4 @@ KnotVector meshKnots(const BodySpec& body, const std::vector<DefinitionSpec>& de
 /// Number of basis functions of the body's basis on knots from `meshKnots`.
 int numFunctions(const BodySpec& body, const KnotVector& knots);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -14,7 +14,7 @@
 
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// More numbers than these are no control net; a scene may have as many values.
@@ -332,4 +332,4 @@ std::optional<std::vector<YamlNode>> netsOfJson(const YamlNode& document, const 
   return nets;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -8,7 +8,7 @@
 /// Files of other programs that hold NURBS, as mappings of degrees, knots, points and weights, as control nets are
 /// given in scenes. Numbers keep their values to the last bit, but for points with weights in g2, which are stored
 /// multiplied by these.
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Curves, surfaces and volumes of a g2 file of GoTools (100, 200, 700), in their order; one after the other. What is
 /// wrong is added to `errors`, and nothing is returned. source, path: of the file, for places.
@@ -23,4 +23,4 @@ bool isJson(const std::string& text, int source, const std::string& path, Diagno
 std::optional<std::vector<YamlNode>> netsOfJson(const YamlNode& document, const std::string& path,
                                                 Diagnostics& errors);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

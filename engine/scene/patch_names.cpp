@@ -1,6 +1,6 @@
 #include "engine/scene/patch_names.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 std::vector<std::string> patchNames(const BodySpec& body) {
   std::vector<std::string> names;
@@ -9,4 +9,4 @@ std::vector<std::string> patchNames(const BodySpec& body) {
   return names;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

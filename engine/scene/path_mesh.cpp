@@ -15,7 +15,7 @@
 #include "engine/nurbs/patch.h"
 #include "engine/scene/path_of_tool.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// How far beyond the passes spans are fine, over the half width of the contact.
@@ -300,4 +300,4 @@ PathRoom pathRoom(const Scene& scene, std::size_t number) {
   return room;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -4,7 +4,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Knot spans that suit all passes of a tool on its path, after `ResolutionSpec`. With the half width a of the contact
 /// and n spans per width, so of the length h = 2a/n, they are
@@ -50,4 +50,4 @@ struct PathRoom {
 };
 PathRoom pathRoom(const Scene& scene, std::size_t body);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

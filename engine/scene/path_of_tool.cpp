@@ -5,7 +5,7 @@
 
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 Eigen::Vector3d pivotOf(const ToolSpec& tool) {
   return tool.pivot.empty() ? makeShape(tool.shape, tool.inside).middle() : Eigen::Vector3d(tool.pivot);
@@ -25,4 +25,4 @@ std::optional<std::size_t> dofInHolder(const ToolSpec& tool) {
   return std::nullopt;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

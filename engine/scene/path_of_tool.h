@@ -4,7 +4,7 @@
 
 #include "engine/scene/tool_spec.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Point about which a tool turns, at its place in the scene. Throws `Error` if it is that of a shape that cannot be
 /// made.
@@ -17,4 +17,4 @@ ToolPath pathOf(const ToolSpec& tool);
 /// is one: it sits in a holder there that follows the path and presses it on.
 std::optional<std::size_t> dofInHolder(const ToolSpec& tool);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -12,7 +12,7 @@
 #include "engine/core/unit_label.h"
 #include "engine/scene/body_shapes.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// The unit in brackets behind the name of a column, "x [mm]"; empty without one.
@@ -86,4 +86,4 @@ void insertProfileFiles(YamlNode& root, const std::filesystem::path& directory, 
   });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -7,7 +7,7 @@
 #include "engine/core/formula_words.h"
 #include "engine/core/quoted.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 std::vector<std::string> namesInQuantity(const std::string& quantity) {
   std::vector<std::string> names;
@@ -24,4 +24,4 @@ std::vector<std::string> namesInQuantity(const std::string& quantity) {
   return names;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -6,7 +6,7 @@
 #include "engine/schema/mapping_reader.h"
 #include "engine/schema/mapping_writer.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 template void describeSimulation(MappingReader&, Scene&);
 template void describeSimulation(MappingWriter&, Scene&);
@@ -26,4 +26,4 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
   return parseScene(readDocument(file, kSceneKind), file.string(), overrides);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -5,7 +5,7 @@
 
 #include "engine/scene/scene.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Keys of a scene's file that the engine leaves to others, see `SceneDocument`.
 inline std::vector<std::string> keysOfDocuments() {
@@ -22,4 +22,4 @@ Scene readScene(const std::filesystem::path& file, const std::vector<std::string
 Scene parseScene(const std::string& yaml, const std::string& name,
                  const std::vector<std::string>& overrides = {});
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

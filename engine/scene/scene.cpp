@@ -6,7 +6,7 @@
 
 #include "engine/scene/dimension.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 int dimensionOf(const PatchesSpec& body) {
   return body.patches.empty() ? 0 : dimensionOf(body.patches.front().shape);
@@ -47,4 +47,4 @@ std::string Scene::bodyKey(std::size_t number, const std::string& key) const {
   return bodies.empty() ? key : fmt::format("bodies[{}].{}", number, key);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -25,7 +25,7 @@
 /// A scene as a value: what a YAML file says, with every default filled in. Lengths, stresses and times are
 /// in the consistent units of the scene; vectors have as many entries as the scene has dimensions unless
 /// stated otherwise.
-namespace burnish {
+namespace burnish::inline scene {
 
 enum class BasisChoice { Nurbs, Lagrange };
 enum class KinematicsChoice { PlaneStrain, Axisymmetric };
@@ -148,11 +148,9 @@ struct LoadSpec {
 /// What is done about faces that overlap at the start.
 enum class Interference { Error, Resolve };
 
-template <>
-struct EnumNames<Interference> {
-  static constexpr std::array values{std::pair{"error", Interference::Error},
-                                     std::pair{"resolve", Interference::Resolve}};
-};
+constexpr auto enumNames(std::type_identity<Interference>) {
+  return std::array{std::pair{"error", Interference::Error}, std::pair{"resolve", Interference::Resolve}};
+}
 
 /// Contact of a face with either a tool or another face.
 struct ContactSpec {
@@ -312,4 +310,4 @@ struct Scene {
   std::string bodyKey(std::size_t body, const std::string& key) const;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

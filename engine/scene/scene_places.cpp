@@ -1,6 +1,6 @@
 #include "engine/scene/scene_places.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 std::string textWithPlaces(const Scene& scene, const std::vector<InputProblem>& problems) {
   if (!scene.places) return InputError(problems).what();
@@ -9,4 +9,4 @@ std::string textWithPlaces(const Scene& scene, const std::vector<InputProblem>& 
   return found.text();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

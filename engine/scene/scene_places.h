@@ -6,7 +6,7 @@
 #include "engine/scene/scene.h"
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Where the values of a scene stand: its files with all overrides applied.
 struct ScenePlaces {
@@ -18,4 +18,4 @@ struct ScenePlaces {
 /// in code has no places; its paths stand alone.
 std::string textWithPlaces(const Scene& scene, const std::vector<InputProblem>& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

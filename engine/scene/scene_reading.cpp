@@ -15,7 +15,7 @@
 #include "engine/scene/tool_files.h"
 #include "engine/schema/overrides.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// The scene's tree with all overrides applied and the files of control nets and profiles put in, those of tools found;
@@ -111,4 +111,4 @@ void SceneReading::finish(Scene& scene, std::string resolvedYaml) {
   scene.places = std::make_shared<const ScenePlaces>(ScenePlaces{std::move(root_), errors_});
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

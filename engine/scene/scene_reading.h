@@ -6,7 +6,7 @@
 #include "engine/schema/mapping_reader.h"
 #include "engine/schema/yaml_document.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 inline const DocumentKind kSceneKind{.name = "scene", .keys = "geometry, material and steps"};
 
@@ -42,4 +42,4 @@ class SceneReading {
   std::vector<DimensionedList> dimensioned_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

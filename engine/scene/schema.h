@@ -5,6 +5,12 @@
 #include "engine/scene/schema_measures.h"
 #include "engine/scene/schema_run.h"
 
+namespace burnish::inline schema {
+class MappingReader;
+class MappingWriter;
+class DeclarationCollector;
+}  // namespace burnish::inline schema
+
 /// The one declaration of every option of a scene. Each struct of scene.h has a `describe(visitor, struct)`
 /// that hands its fields to a visitor, in the order in which they are written:
 ///
@@ -13,19 +19,16 @@
 ///                                                                       follow in the same mapping
 ///
 /// The default is what the field of a fresh struct holds. Reading, writing and listing a scene are visitors.
-namespace burnish {
+namespace burnish::inline scene {
 
-template <>
-struct EnumNames<BasisChoice> {
-  static constexpr std::array values{std::pair{"nurbs", BasisChoice::Nurbs},
-                                     std::pair{"lagrange", BasisChoice::Lagrange}};
-};
+constexpr auto enumNames(std::type_identity<BasisChoice>) {
+  return std::array{std::pair{"nurbs", BasisChoice::Nurbs}, std::pair{"lagrange", BasisChoice::Lagrange}};
+}
 
-template <>
-struct EnumNames<KinematicsChoice> {
-  static constexpr std::array values{std::pair{"plane-strain", KinematicsChoice::PlaneStrain},
-                                     std::pair{"axisymmetric", KinematicsChoice::Axisymmetric}};
-};
+constexpr auto enumNames(std::type_identity<KinematicsChoice>) {
+  return std::array{std::pair{"plane-strain", KinematicsChoice::PlaneStrain},
+                    std::pair{"axisymmetric", KinematicsChoice::Axisymmetric}};
+}
 
 template <class Visitor>
 void describe(Visitor& v, DefinitionSpec& s) {
@@ -172,11 +175,8 @@ void describe(Visitor& v, Scene& s) {
 }
 
 // Compiled once, in reader.cpp.
-class MappingReader;
-class MappingWriter;
-class DeclarationCollector;
 extern template void describeSimulation(MappingReader&, Scene&);
 extern template void describeSimulation(MappingWriter&, Scene&);
 extern template void describeSimulation(DeclarationCollector&, Scene&);
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -3,7 +3,7 @@
 #include "engine/scene/schema_tools.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 inline std::vector<std::string> faceNames() {
   return {"left", "right", "bottom", "top", "back", "front"};
@@ -142,4 +142,4 @@ void describe(Visitor& v, SelfContactSpec& s) {
   describeFriction(v, s.options);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -2,7 +2,7 @@
 #include "engine/scene/scene.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 template <class Visitor>
 void describe(Visitor& v, ReliefSpec& s) {
@@ -77,4 +77,4 @@ void describe(Visitor& v, GeometrySpec& s) {
   describe(v, s.mesh);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

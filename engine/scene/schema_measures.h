@@ -7,14 +7,13 @@
 #include "engine/scene/schema_boundary.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
-template <>
-struct EnumNames<EllipseMeasureSpec::Middle> {
-  static constexpr std::array values{std::pair{"free", EllipseMeasureSpec::Middle::Free},
-                                     std::pair{"begin", EllipseMeasureSpec::Middle::Begin},
-                                     std::pair{"end", EllipseMeasureSpec::Middle::End}};
-};
+constexpr auto enumNames(std::type_identity<EllipseMeasureSpec::Middle>) {
+  return std::array{std::pair{"free", EllipseMeasureSpec::Middle::Free},
+                    std::pair{"begin", EllipseMeasureSpec::Middle::Begin},
+                    std::pair{"end", EllipseMeasureSpec::Middle::End}};
+}
 
 /// Lists in one.
 inline std::vector<std::string> joined(const std::vector<std::vector<std::string>>& lists) {
@@ -98,4 +97,4 @@ void describe(Visitor& v, SceneMeasureSpec& s) {
       "What is measured.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

@@ -2,7 +2,7 @@
 #include "engine/scene/scene.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 template <class Visitor>
 void describe(Visitor& v, PhaseSpec& s) {
@@ -29,4 +29,4 @@ void describe(Visitor& v, OutputSpec& s) {
           "columns SUPPORT.fx, ... The summary has those of the end in any case.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

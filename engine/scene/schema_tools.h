@@ -2,7 +2,7 @@
 #include "engine/scene/tool_spec.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 template <class Visitor>
 void describe(Visitor& v, Schedule& s) {
@@ -85,4 +85,4 @@ void describe(Visitor& v, ToolSpec& s) {
       "Time at which the forces of a tool that is taken away are zero; the end of the run when left out.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

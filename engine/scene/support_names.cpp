@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace burnish {
+namespace burnish::inline scene {
 
 std::vector<std::string> supportNames(const Scene& scene) {
   std::vector<std::string> names;
@@ -11,4 +11,4 @@ std::vector<std::string> supportNames(const Scene& scene) {
   return names;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

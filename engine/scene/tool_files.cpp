@@ -4,7 +4,7 @@
 #include "engine/scene/cad_unit.h"
 #include "engine/tools/tool_shape.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 namespace {
 
 /// The unit into which lengths are converted, as the keys of tools name it.
@@ -31,4 +31,4 @@ void resolveToolFiles(YamlNode& root, const std::filesystem::path& directory, Di
   });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

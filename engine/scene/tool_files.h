@@ -3,7 +3,7 @@
 
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Makes the names of the files that shapes of tools are read from, which are relative to `directory`,
 /// absolute in a scene's tree, so that the resolved scene, which results keep, can be run from anywhere. Those
@@ -26,4 +26,4 @@ void forEachToolShape(YamlNode& root, const Act& act) {
   });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

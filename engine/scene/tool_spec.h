@@ -11,7 +11,7 @@
 #include "engine/tools/tool_shape.h"
 
 /// The parts of a scene that describe how things move, and the rigid tools.
-namespace burnish {
+namespace burnish::inline scene {
 
 /// Displacement components as piecewise linear functions of time, constant before the first and after the
 /// last time.
@@ -58,4 +58,4 @@ struct ToolSpec {
   std::optional<double> releasedBy;  ///< what it pressed with is zero then; the end of the run when left out
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline scene

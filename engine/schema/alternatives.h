@@ -7,7 +7,7 @@
 
 /// Variants whose alternatives say themselves what they are called: each has a static `kind` with a `key`,
 /// the value by which a document chooses it, and a `sentence`.
-namespace burnish {
+namespace burnish::inline schema {
 
 /// The least that a `kind` says.
 struct PartKind {
@@ -27,4 +27,4 @@ std::variant<Part..., More> orElse(const std::variant<Part...>& part);
 template <class Variant, class More>
 using Extended = decltype(orElse<More>(std::declval<Variant>()));
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

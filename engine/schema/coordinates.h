@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Coordinates as a document gives them, in a space of three dimensions: those that are not given are zero.
 class Coordinates : public Eigen::Vector3d {
@@ -42,4 +42,4 @@ class Coordinates : public Eigen::Vector3d {
 using Point = Coordinates;
 using Direction = Coordinates;
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 /// "a number above 0 (length), required" or "..., default 0.5".
@@ -132,4 +132,4 @@ std::string listKeys(const Declarations& keys) {
   return Listing(keys).text();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -8,7 +8,7 @@
 
 /// What the `describe` of a document says, as a plain tree from which lists, schemas and explanations are
 /// made.
-namespace burnish {
+namespace burnish::inline schema {
 
 /// The type of a value: `kind` inside so many lists.
 struct ValueType {
@@ -47,4 +47,4 @@ using Declarations = std::vector<Declaration>;
 /// share are listed once, in sections behind the list.
 std::string listKeys(const Declarations& keys);
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -4,7 +4,7 @@
 #include "engine/schema/declaration.h"
 #include "engine/schema/leaf_writer.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 template <class T>
 ValueType typeOf() {
@@ -114,4 +114,4 @@ Declarations declarationsOf() {
   return DeclarationCollector::declarationsOf<T>();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

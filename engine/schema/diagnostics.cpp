@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/shown_text.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 constexpr std::size_t kLongestOverride = 200;  ///< letters of one in a message
@@ -72,4 +72,4 @@ void Diagnostics::throwIfAny() const {
   if (!entries_.empty()) throw Error(text());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

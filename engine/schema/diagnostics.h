@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Where a piece of YAML stands: source 0 is the scene file, source k the k-th override, sources beyond the
 /// overrides are further files. Lines and columns from 1.
@@ -53,4 +53,4 @@ class Diagnostics {
   std::vector<Entry> entries_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

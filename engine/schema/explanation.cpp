@@ -10,7 +10,7 @@
 #include "engine/core/nearest.h"
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 /// A key of that name, and which alternatives have to be chosen for it: "tools.shape: cylinder".
@@ -148,4 +148,4 @@ std::string explainKey(const Declarations& keys, const std::string& key) {
   return text;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 using Kind = ValueType::Kind;
@@ -200,4 +200,4 @@ std::string jsonSchema(const std::string& title, const Declarations& keys) {
   return Json::writeString(builder, schema) + "\n";
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -18,7 +18,7 @@
 
 /// The types that a single key of a scene may have: numbers, truth values, texts, formulas, named choices,
 /// lists of these; points and directions, with an entry per dimension; vectors of three entries.
-namespace burnish {
+namespace burnish::inline schema {
 
 template <class T>
 struct ListTraits : std::false_type {};
@@ -102,7 +102,7 @@ concept Fills = requires {
 template <class E>
 std::vector<std::string> enumNames() {
   std::vector<std::string> names;
-  for (const auto& [name, value] : EnumNames<E>::values) names.emplace_back(name);
+  for (const auto& [name, value] : kNamesOf<E>) names.emplace_back(name);
   return names;
 }
 
@@ -149,4 +149,4 @@ std::string allowedText(const Rule& rule, bool plural = false) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

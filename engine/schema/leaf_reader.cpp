@@ -9,7 +9,7 @@
 
 #include "engine/core/shown_text.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 enum class Parsed { Number, NotFinite, TooLarge, NoNumber };
@@ -143,4 +143,4 @@ void LeafReader::reject(const YamlNode& node, const std::string& path, const std
   errors_.add(node.place, path, fmt::format("found {}; allowed: {}.{}", node.describe(), allowed, hint));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

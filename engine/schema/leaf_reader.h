@@ -6,7 +6,7 @@
 #include "engine/schema/leaf.h"
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Reads leaves from YAML nodes; what does not fit is added to the diagnostics and leaves the value as it
 /// was.
@@ -25,7 +25,7 @@ class LeafReader {
   template <class E>
   requires std::is_enum_v<E>
   void read(const YamlNode& node, const std::string& path, E& value, const Rule& rule) {
-    for (const auto& [name, candidate] : EnumNames<E>::values) {
+    for (const auto& [name, candidate] : kNamesOf<E>) {
       if (node.kind == YamlNode::Kind::Scalar && node.text == name) {
         value = candidate;
         return;
@@ -83,4 +83,4 @@ class LeafReader {
   Diagnostics& errors_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

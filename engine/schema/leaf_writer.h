@@ -5,7 +5,7 @@
 
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Writes a leaf in one line: numbers with the fewest digits that read back exactly, texts in quotes.
 template <Leaf T>
@@ -21,7 +21,7 @@ void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
     for (const auto& item : value) writeLeaf(out, item, rule);
     out << YAML::EndSeq;
   } else if constexpr (std::is_enum_v<T>) {
-    for (const auto& [name, candidate] : EnumNames<T>::values)
+    for (const auto& [name, candidate] : kNamesOf<T>)
       if (candidate == value) out << name;
   } else if constexpr (std::is_same_v<T, std::string>) {
     if (rule.choices.empty() && !rule.identifier) out << YAML::DoubleQuoted;
@@ -35,4 +35,4 @@ void writeLeaf(YAML::Emitter& out, const T& value, const Rule& rule) {
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

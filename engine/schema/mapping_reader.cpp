@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline schema {
 
 namespace {
 
@@ -51,4 +51,4 @@ void MappingReader::rejectUnknownKeys() {
                                                           : didYouMean(child.key, known_)));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -6,7 +6,7 @@
 
 #include "engine/schema/leaf_reader.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// A list that must have one entry per dimension, which is known only when the geometry has been read.
 struct DimensionedList {
@@ -125,4 +125,4 @@ class MappingReader {
   bool keysAreKnown_ = true;         ///< false when the key that chooses an alternative is unusable
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

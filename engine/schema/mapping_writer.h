@@ -5,7 +5,7 @@
 
 #include "engine/schema/leaf_writer.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Visitor that writes a struct as a mapping, every default spelled out. Optional values and empty lists that
 /// are left out stay out.
@@ -69,4 +69,4 @@ std::string yamlOf(T value) {
   return std::string(out.c_str()) + "\n";
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

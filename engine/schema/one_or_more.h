@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// A list of mappings, of which a document may give a single one without brackets.
 template <class T>
@@ -9,4 +9,4 @@ struct OneOrMore : std::vector<T> {
   using std::vector<T>::vector;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

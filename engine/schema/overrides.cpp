@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 /// The child at a step, made when it is a key that does not exist yet; a sentence when there is no way on.
@@ -52,4 +52,4 @@ void applyOverride(YamlNode& root, const std::string& text, int source, Diagnost
   *node = *std::move(value);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -5,7 +5,7 @@
 #include "engine/schema/diagnostics.h"
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Where the checks of a part of a document report what is wrong with its keys.
 class Problems {
@@ -42,4 +42,4 @@ class Problems {
   std::string path_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -7,7 +7,7 @@
 
 #include "engine/core/shown_text.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 bool Rule::admits(double value) const {
   return (!above || value > *above) && (!atLeast || value >= *atLeast) && (!below || value < *below) &&
@@ -53,4 +53,4 @@ std::string Rule::range() const {
   return lower + (!lower.empty() && !upper.empty() ? " and" : "") + upper;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// What a value of a scene may be, beside its type. For a list of numbers the range holds for every entry.
 struct Rule {
@@ -45,4 +45,4 @@ struct Alternative {
   std::string sentence;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

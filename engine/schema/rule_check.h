@@ -7,7 +7,7 @@
 #include "engine/core/nearest.h"
 #include "engine/schema/leaf.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// Visitor that holds the values of a struct that was made in code against their rules.
 class RuleCheck {
@@ -47,4 +47,4 @@ std::vector<InputProblem> ruleProblems(T value) {
   return problems;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

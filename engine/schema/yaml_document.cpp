@@ -10,7 +10,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 std::string readDocument(const std::filesystem::path& file, const DocumentKind& kind) {
   constexpr std::size_t largest = 64 * 1024 * 1024;
@@ -43,4 +43,4 @@ YamlNode parseDocument(const std::string& yaml, const DocumentKind& kind, Diagno
   return *std::move(root);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

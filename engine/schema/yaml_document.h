@@ -4,7 +4,7 @@
 
 #include "engine/schema/yaml_tree.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// What a kind of YAML document is called in messages.
 struct DocumentKind {
@@ -19,4 +19,4 @@ std::string readDocument(const std::filesystem::path& file, const DocumentKind& 
 /// The tree of a document, a mapping. Throws everything that is wrong so far if it is none.
 YamlNode parseDocument(const std::string& yaml, const DocumentKind& kind, Diagnostics& errors);
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

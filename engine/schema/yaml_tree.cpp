@@ -13,7 +13,7 @@
 #include "engine/core/quoted.h"
 #include "engine/core/shown_text.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 namespace {
 
 constexpr int deepestLevel = 50;
@@ -229,4 +229,4 @@ Place placeOf(const YamlNode& root, const std::string& path) {
   return node->place;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

@@ -6,7 +6,7 @@
 
 #include "engine/schema/diagnostics.h"
 
-namespace burnish {
+namespace burnish::inline schema {
 
 /// A YAML document as a plain value: aliases expanded, every node with its place.
 struct YamlNode {
@@ -44,4 +44,4 @@ std::vector<PathStep> parsePath(const std::string& text);
 /// Place of the value at a path, or of its closest ancestor that exists.
 Place placeOf(const YamlNode& root, const std::string& path);
 
-}  // namespace burnish
+}  // namespace burnish::inline schema

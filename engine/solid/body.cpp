@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int Dim>
 Eigen::MatrixXd Body<Dim>::nodePositions() const {
@@ -75,4 +75,4 @@ template void numberTogether(std::vector<Body<3>>&);
 template Body<2> unitedBody(const std::vector<Body<2>>&);
 template Body<3> unitedBody(const std::vector<Body<3>>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -7,7 +7,7 @@
 #include "engine/nurbs/patch.h"
 #include "engine/solid/kinematics.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A body as one or more patches with a common numbering of its control points ("nodes"). Displacement
 /// component d of node a is unknown number Dim * a + d. Where several bodies are computed together the numbers
@@ -55,4 +55,4 @@ void numberTogether(std::vector<Body<Dim>>& bodies);
 template <int Dim>
 Body<Dim> unitedBody(const std::vector<Body<Dim>>& bodies);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -11,7 +11,7 @@
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/projected_term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 template <int Dim>
@@ -242,4 +242,4 @@ template std::unique_ptr<BulkTerm<2>> makeBulkTerm(const Body<2>&, const SpanQua
 template std::unique_ptr<BulkTerm<3>> makeBulkTerm(const Body<3>&, const SpanQuadrature<3>&, Material,
                                                    Formulation, const std::optional<ReferenceState>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -17,7 +17,7 @@
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Sums and extremes over the body at the last evaluated state.
 struct BulkSummary {
@@ -168,4 +168,4 @@ std::unique_ptr<BulkTerm<Dim>> makeBulkTerm(const Body<Dim>& body, const SpanQua
                                             Material material, Formulation formulation,
                                             const std::optional<ReferenceState>& reference = {});
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

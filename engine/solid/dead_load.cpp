@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 template <int Dim>
@@ -90,4 +90,4 @@ void DeadLoad<Dim>::requireFinite(const std::vector<double>& times) const {
 template class DeadLoad<2>;
 template class DeadLoad<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

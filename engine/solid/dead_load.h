@@ -9,7 +9,7 @@
 #include "engine/solid/load_term.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A dead load: force per reference area of a face or per reference volume, which does not change with the
 /// deformation. Its components are formulas in the reference position and the time.
@@ -46,4 +46,4 @@ class DeadLoad final : public LoadTerm {
   double unitTime_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

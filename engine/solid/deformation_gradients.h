@@ -6,7 +6,7 @@
 #include "engine/solid/kinematics.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Calls f with the number of every quadrature point and its deformation gradient. firstPoint: gives the number of the first
 /// point of a span; spans with a negative one are left out. x: unknowns, the displacements among them by node.
@@ -40,4 +40,4 @@ std::vector<Eigen::Matrix3d> deformationGradients(const SpanQuadrature<Dim>& qua
   return gradients;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -8,7 +8,7 @@
 #include "engine/solid/bulk_term.h"
 #include "engine/solid/parallel_spans.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 using Lists = std::vector<std::vector<int>>;
@@ -178,4 +178,4 @@ void DilatationCoupling<Dim>::addTo(SparseSystem& system) {
 template class DilatationCoupling<2>;
 template class DilatationCoupling<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -8,7 +8,7 @@
 #include "engine/solid/run_columns.h"
 #include "engine/solver/sparse_system.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The entries of the part of a tangent that couples displacements through a projected volume change, see
 /// `DilatationShare`. The product is made column by column as (Z E + C) Zᵀ + Z Cᵀ for the whole body: a function
@@ -58,4 +58,4 @@ class DilatationCoupling {
   bool isSymmetric_ = true;                           ///< they have not
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

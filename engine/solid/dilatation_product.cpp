@@ -4,7 +4,7 @@
 
 #include "engine/solid/parallel_spans.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 using Columns = Eigen::SparseMatrix<double>;
@@ -116,4 +116,4 @@ Eigen::SparseMatrix<double> DilatationProduct<Dim>::entries(const std::vector<in
 template class DilatationProduct<2>;
 template class DilatationProduct<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

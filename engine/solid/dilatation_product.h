@@ -7,7 +7,7 @@
 #include "engine/solver/coupling_groups.h"
 #include "engine/solver/tangent_product.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// What a span contributes to the part of a tangent that couples displacements through a projected volume
 /// change, Z E Zᵀ + C Zᵀ + Z Cᵀ: Z (unknowns x functions of Π) holds the derivatives of the coefficients of
@@ -53,4 +53,4 @@ class DilatationProduct final : public TangentProduct {
       begins_;  ///< of the functions of each span among those of all that are worked on, and their number
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

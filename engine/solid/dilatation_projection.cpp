@@ -10,7 +10,7 @@
 #include "engine/nurbs/function_values.h"
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Where the volume per parameters changes by so much within a span, as beside a face that is collapsed to a point.
@@ -219,4 +219,4 @@ Eigen::VectorXd DilatationProjection<Dim>::project(std::span<const int> firstPoi
 template class DilatationProjection<2>;
 template class DilatationProjection<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -7,7 +7,7 @@
 #include "engine/core/team.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The projection Π of a quadrature-point field onto splines one degree below the body's (Bezier projection:
 /// D. C. Thomas, M. A. Scott, J. A. Evans, K. Tew, E. J. Evans, Comput. Methods Appl. Mech. Engrg. 284,
@@ -80,4 +80,4 @@ class DilatationProjection {
   std::vector<int> workedOn_, own_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -9,7 +9,7 @@
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/solid_kernel.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 /// Buffers of one thread; sized at first use, so that the span loop does not allocate.
 template <int Dim>
 template <Kinematics K, bool Symmetric>
@@ -84,4 +84,4 @@ bool DisplacementTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembl
 template class DisplacementTerm<2>;
 template class DisplacementTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

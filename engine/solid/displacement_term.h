@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/solid/bulk_term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The pure displacement formulation: δΠ = ∫ P : ∇_X δu dV with the consistent tangent.
 template <int Dim>
@@ -24,4 +24,4 @@ class DisplacementTerm final : public BulkTerm<Dim> {
                     Work& work);
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

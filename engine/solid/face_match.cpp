@@ -8,7 +8,7 @@
 
 #include "engine/nurbs/closest_point.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Points per direction of a face that is compared with another one, and starts of the search on that one.
@@ -213,4 +213,4 @@ template std::vector<int> counterparts(const TensorBasis<1>&, const TensorBasis<
 template std::vector<int> counterparts(const TensorBasis<2>&, const TensorBasis<2>&,
                                        const FaceOrientation<2>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

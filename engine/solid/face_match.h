@@ -6,7 +6,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// How the parameters of one face run along another: direction d of the first along `along[d]` of the second,
 /// from its end to its begin if `reversed[d]`.
@@ -56,4 +56,4 @@ template <int P>
 std::vector<int> counterparts(const TensorBasis<P>& first, const TensorBasis<P>& second,
                               const FaceOrientation<P>& orientation);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A face of a body: of which patch, and which of its faces.
 struct FacePlace {
@@ -11,4 +11,4 @@ struct FacePlace {
   bool operator==(const FacePlace&) const = default;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

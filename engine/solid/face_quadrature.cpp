@@ -6,7 +6,7 @@
 
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// What a span and a part of the face have in common; empty boxes have an end at or before their beginning.
@@ -107,4 +107,4 @@ template class FaceQuadrature<3>;
 template double outwardSign(const Patch<2>&, FaceId);
 template double outwardSign(const Patch<3>&, FaceId);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

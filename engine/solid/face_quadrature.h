@@ -5,7 +5,7 @@
 #include "engine/solid/body.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Quadrature over the reference surface of one face: the trace of a patch (25), with basis values and area
 /// weights. In axisymmetry the surface is that of the whole ring; a face on the axis has none.
@@ -73,4 +73,4 @@ Eigen::Vector<double, Dim> areaVector(const Eigen::Matrix<double, Dim, Dim - 1>&
 template <int Dim>
 double outwardSign(const Patch<Dim>& patch, FaceId face);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 Eigen::Matrix2d quarterTurn() {
@@ -121,4 +121,4 @@ void FollowerLoad<Dim>::requireFinite(const std::vector<double>& times) const {
 template class FollowerLoad<2>;
 template class FollowerLoad<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

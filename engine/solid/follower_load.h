@@ -9,7 +9,7 @@
 #include "engine/solid/face_quadrature.h"
 #include "engine/solid/load_term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A load per current area that follows a face: a pressure p against the outward normal n and, in two
 /// dimensions, a shear s along the tangent m of growing parameter,
@@ -51,4 +51,4 @@ class FollowerLoad final : public LoadTerm {
   double outward_ = 1.0;  ///< sign that makes the normal of the tangents the outward one
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 
 #include "engine/core/enum_names.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// How the volume change of a body follows from its displacements.
 enum class Formulation {
@@ -12,10 +12,9 @@ enum class Formulation {
   ProjectedDilatation  ///< J projected onto splines of one degree less (F-bar)
 };
 
-template <>
-struct EnumNames<Formulation> {
-  static constexpr std::array values{std::pair{"displacement", Formulation::Displacement},
-                                     std::pair{"fbar", Formulation::ProjectedDilatation}};
-};
+constexpr auto enumNames(std::type_identity<Formulation>) {
+  return std::array{std::pair{"displacement", Formulation::Displacement},
+                    std::pair{"fbar", Formulation::ProjectedDilatation}};
+}
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

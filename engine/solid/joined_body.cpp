@@ -11,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/solid/face_match.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Lengths below this share of the body's size are nothing.
@@ -220,4 +220,4 @@ Body<Dim> joinedBody(std::vector<Patch<Dim>> patches, const std::vector<std::str
 template Body<2> joinedBody(std::vector<Patch<2>>, const std::vector<std::string>&);
 template Body<3> joinedBody(std::vector<Patch<3>>, const std::vector<std::string>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A body of several patches. Control points of two faces that match (same control points within 1e-10 of the
 /// body's size, same knots and weights, in any orientation) are one node, and so are those of a line of
@@ -14,4 +14,4 @@ namespace burnish {
 template <int Dim>
 Body<Dim> joinedBody(std::vector<Patch<Dim>> patches, const std::vector<std::string>& names);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

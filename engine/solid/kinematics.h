@@ -6,7 +6,7 @@
 
 #include "engine/material/response.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// How the gradients of a displacement field make a deformation gradient.
 enum class Kinematics {
@@ -101,4 +101,4 @@ Eigen::Vector<double, kVoigt<kDimOf<K>>> blockIdentity() {
   return one;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 
 #include "engine/solver/term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A load on the body.
 class LoadTerm : public Term {
@@ -20,4 +20,4 @@ class LoadTerm : public Term {
   Eigen::VectorXd forces_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

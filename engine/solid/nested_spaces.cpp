@@ -9,7 +9,7 @@
 #include "engine/nurbs/refinement.h"
 #include "engine/solid/face_match.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Functions of two patches are one if they belong to the same place, up to this share of the body's size.
@@ -369,4 +369,4 @@ std::vector<bool> NestedSpaces<Dim>::held(const std::vector<bool>& finer) const 
 template class NestedSpaces<2>;
 template class NestedSpaces<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -6,7 +6,7 @@
 #include "engine/nurbs/coarsening.h"
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A body's displacement space on fewer and fewer knot spans. Every space lies in the one before it, so that
 /// knot insertion is its exact prolongation P of control points' displacements:
@@ -84,4 +84,4 @@ class NestedSpaces {
   Prolongation prolongation_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -9,7 +9,7 @@
 
 #include "engine/core/thread_order.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Calls f(i) for i in [0, count) on all threads, `grain` calls in a row on one; f returns false if the state
 /// is not admissible, and then no further calls are started. Returns whether all calls returned true.
@@ -43,4 +43,4 @@ bool parallelBatches(const std::vector<SpanBatches>& lists, const F& f) {
   });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

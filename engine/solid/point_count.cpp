@@ -1,6 +1,6 @@
 #include "engine/solid/point_count.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 int fewestPoints(const UnivariateBasis& basis) {
@@ -21,4 +21,4 @@ bool isHeldBy(int pointsPerDirection, const Body<Dim>& body) {
 template bool isHeldBy(int, const Body<2>&);
 template bool isHeldBy(int, const Body<3>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

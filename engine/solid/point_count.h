@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Whether so many Gauss points per direction and span leave no motion but rigid ones without stiffness: one more than the
 /// degree, or as many as the degree where splines with simple knots have two spans and more, because such functions vanish
@@ -9,4 +9,4 @@ namespace burnish {
 template <int Dim>
 bool isHeldBy(int pointsPerDirection, const Body<Dim>& body);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -12,7 +12,7 @@
 #include "engine/solid/parallel_spans.h"
 #include "engine/solid/solid_kernel.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// D : T for the gradient D of every unknown of a span, node by node: Dim·n values.
@@ -337,4 +337,4 @@ bool ProjectedTerm<Dim>::evaluate(double t, const Eigen::VectorXd& x, Assembly& 
 template class ProjectedTerm<2>;
 template class ProjectedTerm<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

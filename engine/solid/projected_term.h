@@ -6,7 +6,7 @@
 #include "engine/solid/dilatation_coupling.h"
 #include "engine/solid/dilatation_projection.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The F-bar formulation in its variational form: the law sees F̄ = (J̄/J)^{1/m} F V_e with J = det F V_e and
 /// J̄ = Π J, where m counts the directions in which the volume can change (2 in plane strain, else 3), and
@@ -70,4 +70,4 @@ class ProjectedTerm final : public BulkTerm<Dim> {
   std::vector<Eigen::VectorXd> spanDilatations_;  ///< share of the span in `dilatation_`
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

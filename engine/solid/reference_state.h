@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// What the points of a body had been through when its present reference configuration was chosen, one entry
 /// per quadrature point. The deformation that the law sees is F V_e: the stress-free state of a point's
@@ -21,4 +21,4 @@ struct ReferenceState {
   std::vector<Eigen::Matrix3d> gradients{};
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

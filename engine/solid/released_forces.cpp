@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 ReleasedForces::ReleasedForces(Eigen::Index numDisplacements, std::vector<Release> releases)
     : releases_(std::move(releases)) {
@@ -40,4 +40,4 @@ void ReleasedForces::archive(StateArchive& archive) {
     archive.fixedField(fmt::format("carried{}", k), carried_[k]);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

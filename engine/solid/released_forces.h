@@ -4,7 +4,7 @@
 
 #include "engine/solid/load_term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Forces of supports and tools that have let go: what one of them carried when it did goes linearly to zero, so that
 /// the body is in balance at every step in between.
@@ -34,4 +34,4 @@ class ReleasedForces final : public LoadTerm {
   std::vector<Eigen::VectorXd> carried_;  ///< per release and unknown; zero before it begins
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

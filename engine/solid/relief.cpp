@@ -6,7 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/solid/face_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Coefficients of the function on a surface that has these values at its anchors, values: components x functions.
@@ -70,4 +70,4 @@ Patch<Dim> withRelief(const Patch<Dim>& patch, FaceId face,
 template Patch<2> withRelief(const Patch<2>&, FaceId, const std::function<double(const Eigen::Vector2d&)>&);
 template Patch<3> withRelief(const Patch<3>&, FaceId, const std::function<double(const Eigen::Vector3d&)>&);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,7 +3,7 @@
 
 #include "engine/nurbs/patch.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A patch with a relief on one of its faces: each of the face's anchors (Greville abscissae, nodes of Lagrange
 /// elements) is moved along the outward normal there, by the height at its place, and the face interpolates these places.
@@ -13,4 +13,4 @@ template <int Dim>
 Patch<Dim> withRelief(const Patch<Dim>& patch, FaceId face,
                       const std::function<double(const Eigen::Vector<double, Dim>&)>& height);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A sparse matrix whose columns are runs of consecutive rows, so that a multiple of a column is added to a
 /// full vector without looking up single rows.
@@ -63,4 +63,4 @@ class RunColumns {
   std::vector<double> values_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 #include "engine/solid/span_kernel.h"
 #include "engine/solid/tensor_kernel.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The faster kernel for each span of a solid body. At degree 1 a direction has two functions and two points:
 /// sums over one direction at a time save little there and cost more than one product for all points.
@@ -42,4 +42,4 @@ template <Kinematics K, bool Symmetric = true>
 using KernelFor =
     std::conditional_t<K == Kinematics::Solid && Symmetric, SolidKernel, SpanKernel<K, Symmetric>>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -9,7 +9,7 @@
 #include "engine/solid/kinematics.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// c_ijkl + δ_ik τ_jl between gradient columns j of component i and l of component k.
 template <Kinematics K, class Stress, class Tangent>
@@ -161,4 +161,4 @@ class SpanKernel {
   Eigen::MatrixXd tangent_;  ///< Dim·n x Dim·n
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

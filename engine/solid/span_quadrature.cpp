@@ -9,7 +9,7 @@
 #include "engine/core/input_error.h"
 #include "engine/nurbs/quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int P>
 ParameterBox<P> spanBox(const TensorBasis<P>& basis, int span) {
@@ -219,4 +219,4 @@ template SpanRule<3> boxRule(const ParameterBox<3>&, int);
 template class SpanQuadrature<2>;
 template class SpanQuadrature<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -5,7 +5,7 @@
 
 #include "engine/solid/body.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// What makes the values and gradients of a span with three directions of univariate functions, with `points`
 /// in each: R_a = w_a N_a / Σ_b w_b N_b and ∇_X R_a = w_a Σ_m D_m N_a map_m, where D_m N_a is the product of the
@@ -97,4 +97,4 @@ SpanRule<P> spanRule(const TensorBasis<P>& basis, int span, int pointsPerDirecti
   return boxRule(spanBox(basis, span), pointsPerDirection);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

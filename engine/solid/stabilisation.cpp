@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int Dim>
 Stabilisation<Dim>::Stabilisation(int numNodes, const Drag& drag)
@@ -72,4 +72,4 @@ void Stabilisation<Dim>::archive(StateArchive& archive) {
 template class Stabilisation<2>;
 template class Stabilisation<3>;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

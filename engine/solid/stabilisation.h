@@ -4,7 +4,7 @@
 #include "engine/solid/span_quadrature.h"
 #include "engine/solver/term.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A drag that holds a body which only contact holds, until that does. A node a that moves by Δu in a step of
 /// length Δt is held back by η(t) m_a Δu / Δt with m_a = ∫ R_a dV; η falls linearly to a small remainder,
@@ -52,4 +52,4 @@ class Stabilisation final : public Term {
   double force_ = 0.0, work_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A drag on a body that nothing but contact holds, see `Stabilisation`.
 struct StabilisationOptions {
@@ -19,4 +19,4 @@ void describe(Visitor& v, StabilisationOptions& s) {
           "axisymmetry), L its size.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

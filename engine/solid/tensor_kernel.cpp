@@ -3,7 +3,7 @@
 #include "engine/core/blas.h"
 #include "engine/solid/span_kernel.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// The sums still to be taken, over the directions that are left: whether the derivative of the function a,
@@ -184,4 +184,4 @@ void TensorKernel::arrangeFor() {
             }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

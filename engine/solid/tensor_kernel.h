@@ -5,7 +5,7 @@
 #include "engine/material/response.h"
 #include "engine/solid/span_quadrature.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Forces and tangent of one span of a solid body: what `SpanKernel` makes, with the sums over the quadrature
 /// points taken one direction after the other.
@@ -65,4 +65,4 @@ class TensorKernel {
   Eigen::MatrixXd tangent_;  ///< 3·n x 3·n
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 using Matrix = Cholesky::Matrix;
@@ -143,4 +143,4 @@ Eigen::MatrixXd Cholesky::Factors::apply(int which, Eigen::MatrixXd B) {
   return B;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

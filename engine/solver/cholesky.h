@@ -3,7 +3,7 @@
 #include <Eigen/Sparse>
 #include <memory>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Cholesky factors of sparse matrices on one pattern, P K Pᵀ = L Lᵀ, by the supernodes of CHOLMOD. K is given by
 /// its upper triangle.
@@ -38,4 +38,4 @@ class Cholesky {
   std::unique_ptr<Factors> factors_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 ChunkedRows::ChunkedRows(const RowGroups& groups, bool onlyBehind) {
   std::size_t numValues = 0;
@@ -21,4 +21,4 @@ ChunkedRows::ChunkedRows(const RowGroups& groups, bool onlyBehind) {
   values.resize(numValues);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

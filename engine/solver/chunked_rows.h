@@ -5,7 +5,7 @@
 #include "engine/core/lanes.h"
 #include "engine/solver/row_groups.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Rows of groups in single precision, which are computed with in double precision. Columns are taken by chunks of as many as
 /// there are lanes; those of a chunk beyond the end of its run have zeros, and are read, and written back as they were, in
@@ -67,4 +67,4 @@ struct ChunkedRows {
   std::vector<float> values;                          ///< row after row in each chunk
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 void CompactMatrix::assign(const SparseRows& A) {
   for (int group = 0; group < groups_->size(); ++group) {
@@ -26,4 +26,4 @@ void CompactMatrix::multiply(const double* x, double* y) const {
              [&](auto rows) { rows_.multiply<rows>(group, x_.data(), y + groups_->begin(group)); });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

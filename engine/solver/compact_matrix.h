@@ -3,7 +3,7 @@
 
 #include "engine/solver/chunked_rows.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// A matrix in single precision, products in double precision: they are linear to rounding, and what a smoother needs to
 /// know of a matrix. At degree 2 it takes five bytes an entry instead of 12, and a product a fifth of the time.
@@ -23,4 +23,4 @@ class CompactMatrix {
   mutable std::vector<double> x_;  ///< as long as chunks are read
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 void addGroupsOfEach(const CouplingGroups& groups, std::vector<GroupsOfUnknown>& lists) {
   for (const auto& group : groups)
@@ -39,4 +39,4 @@ bool CouplingCounts::continues(int unknown) const {
   return unknown > 0 && groupsOf_[number] == groupsOf_[number - 1];
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

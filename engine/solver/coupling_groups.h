@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Groups of unknowns; every pair of unknowns inside a group may be coupled.
 using CouplingGroups = std::vector<std::vector<int>>;
@@ -34,4 +34,4 @@ class CouplingCounts {
   std::vector<long> counts_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

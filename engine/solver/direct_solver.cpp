@@ -13,7 +13,7 @@
 #include "engine/core/blas.h"
 #include "engine/solver/cholesky.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -325,4 +325,4 @@ Eigen::Index DirectSolver::factorNonZeros() {
                          : general_->factorNonZeros();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

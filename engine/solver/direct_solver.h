@@ -3,7 +3,7 @@
 
 #include "engine/solver/linear_solver.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Sparse factorisations. K is factorised by CHOLMOD and the border by a dense Cholesky factorisation of its
 /// Schur complement; UMFPACK takes the whole matrix where one of them is not definite, and where the border is
@@ -47,4 +47,4 @@ class DirectSolver final : public LinearSolver {
   long numGeneral_ = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

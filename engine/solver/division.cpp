@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// A grid with what its nodes count, each where it is met first.
@@ -156,4 +156,4 @@ Division divideUnknowns(const std::vector<CouplingGroups>& terms, const std::vec
   return {std::move(owners), rank, ranks};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

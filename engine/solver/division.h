@@ -6,7 +6,7 @@
 
 #include "engine/solver/coupling_groups.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Which unknowns the ranks of a team answer for. Those of a rank follow each other in the order of their numbers.
 struct Division {
@@ -49,4 +49,4 @@ Division undivided(int numUnknowns);
 Division divideUnknowns(const std::vector<CouplingGroups>& terms, const std::vector<bool>& prescribed,
                         int numLeading, const std::vector<NodeGrid>& grids, int rank, int ranks);
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -6,7 +6,7 @@
 
 #include "engine/solver/cholesky.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// The upper triangle, of ones.
@@ -39,4 +39,4 @@ FactorSize factorSize(const CouplingGroups& groups, int size, int blockSize) {
   return {rows * rows * analysis.nonZeros(), rows * rows * rows * analysis.operations()};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/solver/coupling_groups.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// What sparse factors of a symmetric matrix take.
 struct FactorSize {
@@ -13,4 +13,4 @@ struct FactorSize {
 /// of numbers from 0 to size - 1. blockSize: rows that each number stands for.
 FactorSize factorSize(const CouplingGroups& groups, int size, int blockSize);
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

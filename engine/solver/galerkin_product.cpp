@@ -5,7 +5,7 @@
 
 #include "engine/core/lanes.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// Room for the rows of a group, in whole registers.
@@ -148,4 +148,4 @@ void GalerkinProduct::addRow(int row, double factor, std::span<const Run> runs) 
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

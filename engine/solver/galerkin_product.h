@@ -6,7 +6,7 @@
 #include "engine/solver/hierarchy.h"
 #include "engine/solver/row_groups.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// PᵀAP of matrices A of one pattern, whose rows come in groups: the matrix of a coarser mesh.
 class GalerkinProduct {
@@ -44,4 +44,4 @@ class GalerkinProduct {
   std::vector<double> row_;      ///< one of them, run after run
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -4,7 +4,7 @@
 
 #include "engine/solver/division.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Nested spaces of displacements, from the finest to the coarsest. Each matrix makes coefficients on one
 /// level from those on the next coarser one: free displacement components of the two levels.
@@ -15,4 +15,4 @@ struct Hierarchy {
   std::vector<NodeGrid> grids;  ///< whose displacements the finest level has
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

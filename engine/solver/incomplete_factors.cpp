@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 constexpr double kFirstShift = 0.001, kNextShift = 4.0, kMostShift = 5.0;
@@ -201,4 +201,4 @@ void IncompleteFactors::solve(const double* b, double* x) const {
   std::copy_n(x_.begin(), groups_->numRows(), x);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -4,7 +4,7 @@
 
 #include "engine/solver/chunked_rows.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Incomplete Cholesky factors without fill of a matrix whose rows come in groups: A ≈ (D + U)ᵀ D⁻¹ (D + U), D a block per
 /// group and U above it on the pattern of A (Meijerink, van der Vorst 1977). U is kept in single precision. Of a matrix that
@@ -49,4 +49,4 @@ class IncompleteFactors {
   mutable std::vector<double> x_;     ///< as long as chunks are read
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

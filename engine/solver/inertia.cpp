@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -120,4 +120,4 @@ int Inertia::unstableDirections(const Matrix& A) {
   return factors_->negativePivots(K);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -3,7 +3,7 @@
 #include <Eigen/Sparse>
 #include <memory>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Counts the directions in which an equilibrium is unstable. For tangents as `LinearSolver` describes them,
 ///
@@ -33,4 +33,4 @@ class Inertia {
   std::unique_ptr<Factors> factors_;  ///< null before the first matrix
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

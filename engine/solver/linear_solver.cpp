@@ -8,7 +8,7 @@
 #include "engine/solver/direct_solver.h"
 #include "engine/solver/multigrid.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 std::unique_ptr<LinearSolver> makeDirectSolver(const LinearProblem& problem) {
@@ -47,4 +47,4 @@ std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& option
   throw Error(fmt::format("there is no linear solver {}", options.name));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

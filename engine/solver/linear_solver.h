@@ -11,7 +11,7 @@
 #include "engine/solver/solver_options.h"
 #include "engine/solver/system_matrix.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 enum class TangentKind { Symmetric, General };
 
@@ -96,4 +96,4 @@ class LinearSolver {
 std::unique_ptr<LinearSolver> makeLinearSolver(const LinearSolverOptions& options,
                                                const LinearProblem& problem);
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -6,7 +6,7 @@
 #include "engine/solver/direct_solver.h"
 #include "engine/solver/petsc_module.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 using Maker = LinearSolver*(const LinearProblem&);
@@ -140,4 +140,4 @@ std::unique_ptr<LinearSolver> makeMultigridSolver(const LinearProblem& problem) 
   return std::make_unique<MultigridOrDirect>(problem);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

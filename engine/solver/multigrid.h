@@ -3,7 +3,7 @@
 
 #include "engine/solver/linear_solver.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Whether the program was built with multigrid.
 bool hasMultigrid();
@@ -13,4 +13,4 @@ bool hasMultigrid();
 /// built without it, if it cannot be loaded, or if the problem has no hierarchy.
 std::unique_ptr<LinearSolver> makeMultigridSolver(const LinearProblem& problem);
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

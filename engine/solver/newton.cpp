@@ -11,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/core/stopwatch.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// keepsProducts: as solvers do that need no entries.
@@ -439,4 +439,4 @@ NewtonReport Newton::solve(double t, const Eigen::VectorXd& target, Eigen::Vecto
   }
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -14,7 +14,7 @@
 #include "engine/solver/sparse_system.h"
 #include "engine/solver/term.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// How residuals are measured. Unknowns 0 … numForces-1 are displacement components whose residuals are
 /// forces; the others are multipliers whose residuals are constraints, each with a scale of its own (A_A L).
@@ -156,4 +156,4 @@ class Newton {
   bool hasEquilibrium_ = false;  ///< whose tangent `system_` holds
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -2,10 +2,10 @@
 
 #include "engine/core/module_function.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 void* petscFunction(const char* name, const char* whatFor) {
   return moduleFunction({"burnish_petsc.so", "PETSc", "BURNISH_PETSC", "burnish-multigrid"}, name, whatFor);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

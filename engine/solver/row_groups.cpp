@@ -6,7 +6,7 @@
 
 #include "engine/core/lanes.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// Rows of a group, each in one piece.
@@ -98,4 +98,4 @@ void RowGroups::multiplyTransposed(const SparseRows& A, const double* x, double*
              [&](auto rows) { multiplyTransposedGroup<rows>(A, begin(group), runs(group), x, y); });
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// A sparse matrix row by row, or the transpose of one column by column, in arrays of somebody else. Columns ascend in each row.
 struct SparseRows {
@@ -62,4 +62,4 @@ template <class F>
     f(std::integral_constant<int, 1>{});
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// How the solver works. Fields that a scene may set are described; the others are for tests.
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Names of all linear solvers.
 std::vector<std::string> linearSolverNames();
@@ -84,4 +84,4 @@ void describe(Visitor& v, SolverOptions& s) {
   describe(v, s.newton.linear);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

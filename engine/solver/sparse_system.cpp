@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// The pattern of a matrix, column by column.
@@ -427,4 +427,4 @@ std::vector<std::vector<int>> colourGroups(const CouplingGroups& groups, int num
   return colours;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

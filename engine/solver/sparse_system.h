@@ -10,7 +10,7 @@
 #include "engine/solver/system_matrix.h"
 #include "engine/solver/tangent_product.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// The tangent over all unknowns, on a sparsity pattern that is fixed once, with a precomputed place for every
 /// run of consecutive unknowns in every column of every group. Prescribed unknowns take part in the assembly
@@ -160,4 +160,4 @@ class SparseSystem final : public SystemMatrix {
 /// in parallel, and the order of additions to any entry does not depend on the number of threads.
 std::vector<std::vector<int>> colourGroups(const CouplingGroups& groups, int numUnknowns);
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

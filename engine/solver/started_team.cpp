@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/solver/petsc_module.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// Where who starts processes together says how many they are, and which of them one is.
@@ -58,4 +58,4 @@ const Team& startedTeam() {
   return team;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

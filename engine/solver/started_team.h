@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/core/team.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// How many processes mpirun, or srun with PMIx, has started together with this one, itself counted, and which
 /// of them this is: as their environment says. 1 and 0 without.
@@ -12,4 +12,4 @@ int rankStarted();
 /// process. Throws `Error` if the library is not there, or if MPI is another one than that which has started them.
 const Team& startedTeam();
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -6,7 +6,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// Attempts, counted with the failed one, that do not start extrapolated after an extrapolated start has
@@ -156,4 +156,4 @@ Walk Stepping::advance(double time, double nominal, const std::function<bool(con
   return Walk::Arrived;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -5,7 +5,7 @@
 
 #include "engine/solver/newton.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// One accepted step.
 struct StepReport {
@@ -99,4 +99,4 @@ class Stepping {
   double lastFailedStep_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

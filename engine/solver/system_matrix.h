@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Sparse>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// What a matrix
 ///
@@ -45,4 +45,4 @@ class SystemMatrix {
   virtual SystemBorder border() const = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -2,7 +2,7 @@
 #include <Eigen/Sparse>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// A symmetric part of a tangent that couples so many unknowns, by narrow factors, that one multiplies by it
 /// instead of keeping its entries.
@@ -20,4 +20,4 @@ class TangentProduct {
   virtual Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const = 0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -6,7 +6,7 @@
 #include "engine/core/team.h"
 #include "engine/solver/sparse_system.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Where a term puts what it computes: its own force vector over all unknowns and, when asked for, the shared
 /// tangent.
@@ -57,4 +57,4 @@ class Term {
   virtual void archive(StateArchive&) {}
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -13,7 +13,7 @@
 #include "engine/tools/profile_gap.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 using Eigen::Vector3d;
@@ -112,4 +112,4 @@ void check(const BoxTool& box, const ShapeProblems& problems) {
     problems.report("axes", "found two parallel directions; allowed: two directions across one another.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -7,7 +7,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -50,4 +50,4 @@ void describe(Visitor& v, BoxTool& s) {
 
 void check(const BoxTool& box, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

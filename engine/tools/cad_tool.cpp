@@ -20,7 +20,7 @@
 #include "engine/tools/shape_problems.h"
 #include "engine/tools/surface_file.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 RigidShape exactShape(const CadFace& face, double scale) {
@@ -101,4 +101,4 @@ void check(const CadTool& tool, const ShapeProblems& problems) {
                     "found solid beside face; allowed: one of the two, or none for all of the file.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -7,7 +7,7 @@
 #include "engine/tools/rigid_shape.h"
 #include "engine/tools/shape_kind.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -58,4 +58,4 @@ void describe(Visitor& v, CadTool& s) {
 
 void check(const CadTool& tool, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

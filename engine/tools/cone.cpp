@@ -12,7 +12,7 @@
 #include "engine/tools/profile_gap.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using Eigen::Vector3d;
 
@@ -49,4 +49,4 @@ void check(const Cone& cone, const ShapeProblems& problems) {
                                        entriesText(cone.tip)));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

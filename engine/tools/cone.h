@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -38,4 +38,4 @@ void describe(Visitor& v, Cone& s) {
 
 void check(const Cone& cone, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

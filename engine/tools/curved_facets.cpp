@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 /// Two pieces whose normals differ by more are two sides of a crease.
@@ -272,4 +272,4 @@ CurvedFacets::Answer CurvedFacets::query(const Eigen::Vector3d& x) const {
   return answerAt(best, x);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -5,7 +5,7 @@
 #include "engine/tools/facet_tree.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Signed distance to a surface of straight pieces, each bent to a quadratic patch (after Nagata 2005) by the
 /// normals in its corners, so that a fine mesh of a round body is round. Normals are means over the pieces
@@ -64,4 +64,4 @@ class CurvedFacets {
   FacetTree tree_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

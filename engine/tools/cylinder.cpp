@@ -6,7 +6,7 @@
 #include "engine/tools/profile_gap.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using Eigen::Vector3d;
 
@@ -33,4 +33,4 @@ void check(const Cylinder& cylinder, const ShapeProblems& problems) {
   problems.requireAxis("axis", cylinder.axis);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

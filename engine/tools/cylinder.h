@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -46,4 +46,4 @@ void archive(Archive& a, Cylinder& s) {
 
 void check(const Cylinder& cylinder, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -2,7 +2,7 @@
 
 #include "engine/tools/outline_parts.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 GapQuery Die::query(const Eigen::Vector3d& x) const {
   return -solid.query(x);
@@ -12,4 +12,4 @@ SurfaceMesh Die::outline(int dim, double reach) const {
   return turnedOver(solid.outline(dim, reach));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

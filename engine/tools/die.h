@@ -5,7 +5,7 @@
 #include "engine/tools/rigid_shape.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// The tool fills the space around a solid, the body is in the hollow.
 struct Die {
@@ -21,4 +21,4 @@ struct Die {
 inline constexpr const char* kInsideSentence =
     "The tool fills the space around the shape, and the body is in the hollow: a die.";
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

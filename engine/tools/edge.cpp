@@ -11,7 +11,7 @@
 #include "engine/tools/profile_gap.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using Eigen::Vector3d;
 
@@ -54,4 +54,4 @@ void check(const Edge& edge, const ShapeProblems& problems) {
                                          entriesText(edge.along)));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

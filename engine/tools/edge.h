@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -39,4 +39,4 @@ void describe(Visitor& v, Edge& s) {
 
 void check(const Edge& edge, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -59,4 +59,4 @@ FacetTree::Hit FacetTree::nearest(const Eigen::Vector3d& x) const {
   return nearestOf(impl_->triangles, impl_->triangleTree, point);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

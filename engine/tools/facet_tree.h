@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <memory>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Finds the segment or triangle of a surface that is nearest to a point.
 class FacetTree {
@@ -22,4 +22,4 @@ class FacetTree {
   std::shared_ptr<const Impl> impl_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

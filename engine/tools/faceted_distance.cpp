@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 /// Farther from the surface than this many grid spacings the distance is not smoothed: far beyond the reach
@@ -125,4 +125,4 @@ GapQuery FacetedDistance::query(const Eigen::Vector3d& x) const {
   return answer;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

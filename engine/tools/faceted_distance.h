@@ -11,7 +11,7 @@
 #include "engine/tools/gap_query.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Smooth signed distance to a surface of straight pieces: the C² cubic spline that quasi-interpolates the
 /// distance to the curved facets on a grid. Per axis the coefficient of the B-spline at i is
@@ -42,4 +42,4 @@ class FacetedDistance {
   mutable std::unordered_map<Node, double, NodeHash> samples_, coefficients_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

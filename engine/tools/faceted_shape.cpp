@@ -5,7 +5,7 @@
 
 #include "engine/tools/faceted_distance.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 GapQuery FacetedShape::query(const Eigen::Vector3d& x) const {
   return distance->query(x);
@@ -30,4 +30,4 @@ FacetedShape makeFacetedShape(SurfaceMesh surface, std::optional<double> smoothi
   return {std::make_shared<const FacetedDistance>(std::move(surface), smoothing)};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,7 +6,7 @@
 #include "engine/tools/gap_query.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class FacetedDistance;
 
@@ -35,4 +35,4 @@ inline constexpr const char* kSmoothingSentence =
     "when left out the typical length of an edge, at most 1/32 of the smallest extent, of an open surface "
     "1/256 of the largest.";
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

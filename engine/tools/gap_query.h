@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Answer of a rigid surface for a point x: gap g(x) (positive outside the tool), its gradient, which points
 /// away from the tool, and its second derivative (symmetric). Where the gap is a distance the gradient is a
@@ -20,4 +20,4 @@ inline GapQuery operator-(const GapQuery& query) {
   return {-query.gap, -query.normal, -query.dNormal, query.part};
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -48,4 +48,4 @@ std::optional<Pair> findLineCrossing(const std::vector<Eigen::Vector2d>& points,
   return first;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -2,10 +2,10 @@
 
 #include "engine/tools/surface_file.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 FacetedShape MeshTool::made() const {
   return makeFacetedShape(readSurface(file, scale, open), smoothing);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

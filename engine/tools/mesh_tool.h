@@ -5,7 +5,7 @@
 #include "engine/tools/faceted_shape.h"
 #include "engine/tools/shape_kind.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// A triangulated surface as a scene gives it.
 struct MeshTool {
@@ -32,4 +32,4 @@ void describe(Visitor& v, MeshTool& s) {
   v.field("smoothing", s.smoothing, {.above = 0, .unit = "length"}, kSmoothingSentence);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -7,7 +7,7 @@
 #include "engine/core/error.h"
 #include "engine/tools/outline_parts.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 /// Lengths below this share of the patch's size are zero.
@@ -429,4 +429,4 @@ int NurbsDistance<P>::partOf(const Foot& foot) const {
 template class NurbsDistance<1>;
 template class NurbsDistance<2>;
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -9,7 +9,7 @@
 #include "engine/tools/gap_query.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Signed distance to a NURBS curve or surface by closest-point projection: a tree over a tessellation gives
 /// the start, Newton's method the point.
@@ -89,4 +89,4 @@ class NurbsDistance {
   std::optional<FacetTree> tree_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

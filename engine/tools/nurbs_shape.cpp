@@ -10,7 +10,7 @@
 #include "engine/tools/nurbs_distance.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 template <int P>
@@ -91,4 +91,4 @@ template struct NurbsShape<2>;
 template NurbsShape<1> makeNurbsShape(Patch<1, 3>, bool);
 template NurbsShape<2> makeNurbsShape(Patch<2, 3>, bool);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -12,7 +12,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 template <int P>
@@ -73,4 +73,4 @@ void describe(Visitor& v, NurbsTool& s) {
 
 void check(const NurbsTool& nurbs, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 using Eigen::Vector3d;
@@ -187,4 +187,4 @@ SurfaceMesh together(const std::vector<SurfaceMesh>& meshes) {
   return all;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

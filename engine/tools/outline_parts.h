@@ -7,7 +7,7 @@
 #include "engine/tools/surface_mesh.h"
 
 /// Pieces that outlines are made of.
-namespace burnish {
+namespace burnish::inline tools {
 
 using OutlinePoints = std::vector<Eigen::Vector3d>;
 
@@ -52,4 +52,4 @@ bool isSolid(const SurfaceMesh& mesh);
 /// All cells in one mesh, which is closed if all of them are.
 SurfaceMesh together(const std::vector<SurfaceMesh>& meshes);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,7 +6,7 @@
 #include "engine/tools/outline_parts.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using Eigen::Vector3d;
 
@@ -45,4 +45,4 @@ void check(const Plane& plane, const ShapeProblems& problems) {
                     "found a vector without length; allowed: a direction from the tool towards the body.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

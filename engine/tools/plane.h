@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -43,4 +43,4 @@ void archive(Archive& a, Plane& s) {
 
 void check(const Plane& plane, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

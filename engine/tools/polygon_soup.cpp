@@ -20,7 +20,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 /// An STL file as what its size says that it is: the reader of all formats takes text with a mistake in it
@@ -172,4 +172,4 @@ bool readPolygonSoup(const std::filesystem::path& file, std::vector<SoupPoint>& 
   return CGAL::IO::read_polygon_soup(file.string(), points, polygons, CGAL::parameters::verbose(false));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using SoupPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
@@ -17,4 +17,4 @@ using SoupPolygons = std::vector<std::vector<std::size_t>>;
 bool readPolygonSoup(const std::filesystem::path& file, std::vector<SoupPoint>& points,
                      SoupPolygons& polygons);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -11,7 +11,7 @@
 #include "engine/tools/shape_problems.h"
 #include "engine/tools/surface_file.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -96,4 +96,4 @@ void check(const PolylineTool& line, const ShapeProblems& problems) {
         "points", fmt::format("found {} points of a closed line; allowed: at least 3.", line.points.size()));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

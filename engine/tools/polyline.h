@@ -9,7 +9,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -47,4 +47,4 @@ void describe(Visitor& v, PolylineTool& s) {
 
 void check(const PolylineTool& line, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 GapQuery roundGap(const Eigen::Vector3d& v, const Eigen::Matrix3d& projector, double radius) {
   GapQuery answer;
@@ -64,4 +64,4 @@ GapQuery turned(const ProfileGap& profile, const AxisPlace& place) {
   return answer;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

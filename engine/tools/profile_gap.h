@@ -4,7 +4,7 @@
 #include "engine/tools/gap_query.h"
 
 /// Gaps that round shapes are made of.
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Gap to a surface at distance R from a point or an axis, eq. (27); `v` leads from there to x and lies in
 /// the range of the projector I_⊥. On the axis itself any direction is as good as another; the curvature term
@@ -42,4 +42,4 @@ GapQuery lifted(const ProfileGap& profile, const Eigen::Vector3d& radial, const 
 /// The profile turned about the axis: its circles add the curvature n_r / r, on the axis the limit ∂n_r/∂r.
 GapQuery turned(const ProfileGap& profile, const AxisPlace& place);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,9 +6,9 @@
 #include "engine/tools/sphere.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// What is kept of a tool's shape: these as they are, others as they are drawn.
 using RecordedShape = std::variant<Plane, Cylinder, Sphere, SurfaceMesh>;
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

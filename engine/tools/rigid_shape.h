@@ -10,7 +10,7 @@
 #include "engine/tools/recorded_shape.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// What a shape of a tool answers for:
 ///
@@ -87,4 +87,4 @@ class RigidShape {
   std::shared_ptr<const Any> shape_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Bodies that a shape is for.
 enum class ForBodies { All, Planar, Spatial, SpatialOrAxisymmetric };
@@ -17,4 +17,4 @@ struct ShapeKind {
   ShapeFile file = ShapeFile::None;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -5,7 +5,7 @@
 
 #include <iterator>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 void ShapeProblems::requireFront(const char* key, const Direction& direction) const {
   if (clean(key) && direction.isZero(0.0))
@@ -37,4 +37,4 @@ bool areParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.cross(b).norm() <= 1e-9 * a.norm() * b.norm();
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

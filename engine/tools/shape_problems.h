@@ -6,7 +6,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Where the checks of a shape report what is wrong with it, and what they may know of the body.
 class ShapeProblems : public Problems {
@@ -45,4 +45,4 @@ std::string entriesText(const Coordinates& coordinates);
 
 bool areParallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

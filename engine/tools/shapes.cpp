@@ -7,7 +7,7 @@
 
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 bool fits(ForBodies bodies, const ShapeProblems& problems) {
@@ -41,4 +41,4 @@ void requireBody(const ShapeProblems& problems, std::span<const ShapeKind> kinds
                                        textOf(kind.bodies), fmt::join(allowed, " | ")));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

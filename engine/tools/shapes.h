@@ -20,7 +20,7 @@
 #include "engine/tools/sphere.h"
 #include "engine/tools/torus.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -72,4 +72,4 @@ void checkShape(const std::variant<Shape...>& shape, const ShapeProblems& proble
       shape);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,7 +6,7 @@
 #include "engine/tools/outline_parts.h"
 #include "engine/tools/profile_gap.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 using Eigen::Vector3d;
 
@@ -27,4 +27,4 @@ bool Sphere::isSound() const {
   return center.allFinite() && std::isfinite(radius) && radius > 0.0;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 struct Sphere {
   static constexpr ShapeKind kind{"sphere", "A sphere (3D).", ForBodies::Spatial};
@@ -35,4 +35,4 @@ void archive(Archive& a, Sphere& s) {
   a("radius", s.radius);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

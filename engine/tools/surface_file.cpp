@@ -28,7 +28,7 @@
 #include "engine/core/stl_counts.h"
 #include "engine/tools/polygon_soup.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
@@ -260,4 +260,4 @@ SurfaceMesh soundSurface(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xi&
   return surfaceOf(std::move(corners), std::move(triangles), open);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

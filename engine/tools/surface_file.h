@@ -3,7 +3,7 @@
 
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Throws `Error` if there is no such file, or if it is a directory or a device. kind: "mesh", ... for the
 /// message.
@@ -18,4 +18,4 @@ SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool op
 /// The same of triangles (numbers of their corners) in the columns of `cells`.
 SurfaceMesh soundSurface(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xi& cells, bool open);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// A tool's surface as polylines (2D) or triangles (3D), for drawing.
 struct SurfaceMesh {
@@ -15,4 +15,4 @@ inline Eigen::Vector3d middleOfBox(const SurfaceMesh& mesh) {
   return 0.5 * (mesh.points.rowwise().minCoeff() + mesh.points.rowwise().maxCoeff());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 Eigen::Matrix3d crossWith(const Eigen::Vector3d& v) {
@@ -89,4 +89,4 @@ ToolGap Tool::queryWithDofs(const ToolPose& pose, const Eigen::Vector3d& x) cons
   return answer;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

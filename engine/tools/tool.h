@@ -7,7 +7,7 @@
 
 #include "engine/tools/rigid_shape.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Degrees of freedom of a tool: displacements of its pivot along x, y and z, and the turn about the axis
 /// through the pivot.
@@ -109,4 +109,4 @@ struct Tool {
   ToolGap queryWithDofs(const ToolPose& pose, const Eigen::Vector3d& x) const;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

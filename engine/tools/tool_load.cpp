@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 /// Largest turn of one step, radians.
@@ -159,4 +159,4 @@ Eigen::Vector3d ToolLoad::force(double t) const {
   return force;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -9,7 +9,7 @@
 #include "engine/solver/term.h"
 #include "engine/tools/tool.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Forces and the moment that a tool carries in its free degrees of freedom.
 ///
@@ -126,4 +126,4 @@ class ToolLoad final : public Term {
   std::optional<FirstTouch> firstTouch_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
@@ -179,4 +179,4 @@ double ToolPath::forceShare(double t) const {
   return std::lerp(kTouchingShare, 1.0, std::min(1.0, fromEnds / rampTime_));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -8,7 +8,7 @@
 #include "engine/schema/coordinates.h"
 
 /// Paths of tools: where a tool goes, and when.
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Straight from point to point.
 struct PolylinePath {
@@ -186,4 +186,4 @@ class ToolPath {
   std::vector<Pass> passes_, touches_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -1,6 +1,6 @@
 #include "engine/tools/tool_shape.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 ShapeFile fileOf(const std::string& shape) {
   for (const ShapeKind& kind : kindsOf(SimpleShape()))
@@ -8,4 +8,4 @@ ShapeFile fileOf(const std::string& shape) {
   return ShapeFile::None;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -9,7 +9,7 @@
 #include "engine/tools/profile_gap.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 GapQuery Torus::query(const Eigen::Vector3d& x) const {
   const AxisPlace place = placeAbout(center, axis, x);
@@ -31,4 +31,4 @@ void check(const Torus& torus, const ShapeProblems& problems) {
                                                torus.tubeRadius, torus.radius));
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

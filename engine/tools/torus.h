@@ -6,7 +6,7 @@
 #include "engine/tools/shape_kind.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 class ShapeProblems;
 
@@ -37,4 +37,4 @@ void describe(Visitor& v, Torus& s) {
 
 void check(const Torus& torus, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

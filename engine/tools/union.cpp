@@ -11,7 +11,7 @@
 #include "engine/tools/outline_parts.h"
 #include "engine/tools/shape_problems.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 namespace {
 
 using Eigen::Vector3d;
@@ -108,4 +108,4 @@ void check(const UnionTool& joined, const ShapeProblems& problems) {
       checkShape(joined.parts[i].shape, ofPart);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -9,7 +9,7 @@
 #include "engine/tools/shapes.h"
 #include "engine/tools/surface_mesh.h"
 
-namespace burnish {
+namespace burnish::inline tools {
 
 /// Several shapes as one: the smallest gap wins. With a blend the minimum is a C² function that is lower
 /// where two gaps differ by less than `blend`, by blend/6 at most for two parts: a fillet along the seam.
@@ -57,4 +57,4 @@ void describe(Visitor& v, UnionTool& s) {
 
 void check(const UnionTool& joined, const ShapeProblems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline tools

@@ -14,12 +14,10 @@ namespace burnish {
 /// The ending of a picture's file.
 enum class PictureFormat { Png, Pdf, Svg };
 
-template <>
-struct EnumNames<PictureFormat> {
-  static constexpr std::array values{std::pair{"png", PictureFormat::Png},
-                                     std::pair{"pdf", PictureFormat::Pdf},
-                                     std::pair{"svg", PictureFormat::Svg}};
-};
+constexpr auto enumNames(std::type_identity<PictureFormat>) {
+  return std::array{std::pair{"png", PictureFormat::Png}, std::pair{"pdf", PictureFormat::Pdf},
+                    std::pair{"svg", PictureFormat::Svg}};
+}
 
 /// A contour picture of a scene.
 struct ScenePicture : PictureOptions {

@@ -6,17 +6,15 @@
 
 namespace burnish {
 
-template <>
-struct EnumNames<VariantsSpec::Sizes> {
-  static constexpr std::array values{std::pair{"cells", VariantsSpec::Sizes::Cells},
-                                     std::pair{"steps", VariantsSpec::Sizes::Steps}};
-};
+constexpr auto enumNames(std::type_identity<VariantsSpec::Sizes>) {
+  return std::array{std::pair{"cells", VariantsSpec::Sizes::Cells},
+                    std::pair{"steps", VariantsSpec::Sizes::Steps}};
+}
 
-template <>
-struct EnumNames<CheckSpec::Meshes> {
-  static constexpr std::array values{std::pair{"finest", CheckSpec::Meshes::Finest},
-                                     std::pair{"every", CheckSpec::Meshes::Every}};
-};
+constexpr auto enumNames(std::type_identity<CheckSpec::Meshes>) {
+  return std::array{std::pair{"finest", CheckSpec::Meshes::Finest},
+                    std::pair{"every", CheckSpec::Meshes::Every}};
+}
 
 template <class Visitor>
 void describe(Visitor& v, FamilySpec& s) {

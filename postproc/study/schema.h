@@ -5,12 +5,11 @@
 /// The one declaration of every option of a study, in the manner of engine/scene/schema.h.
 namespace burnish {
 
-template <>
-struct EnumNames<ClaimSpec::Expect> {
-  static constexpr std::array values{
+constexpr auto enumNames(std::type_identity<ClaimSpec::Expect>) {
+  return std::array{
       std::pair{"increasing", ClaimSpec::Expect::Increasing}, std::pair{"equal", ClaimSpec::Expect::Equal},
       std::pair{"different", ClaimSpec::Expect::Different}, std::pair{"between", ClaimSpec::Expect::Between}};
-};
+}
 
 template <class Visitor>
 void describe(Visitor& v, ParameterSpec& s) {

@@ -8,19 +8,15 @@
 
 namespace burnish {
 
-template <>
-struct EnumNames<LineReduction> {
-  static constexpr std::array values{std::pair{"variation", LineReduction::Variation},
-                                     std::pair{"max", LineReduction::Max},
-                                     std::pair{"min", LineReduction::Min}};
-};
+constexpr auto enumNames(std::type_identity<LineReduction>) {
+  return std::array{std::pair{"variation", LineReduction::Variation}, std::pair{"max", LineReduction::Max},
+                    std::pair{"min", LineReduction::Min}};
+}
 
-template <>
-struct EnumNames<RoughnessMeasure::Number> {
-  static constexpr std::array values{std::pair{"a", RoughnessMeasure::Number::A},
-                                     std::pair{"q", RoughnessMeasure::Number::Q},
-                                     std::pair{"z", RoughnessMeasure::Number::Z}};
-};
+constexpr auto enumNames(std::type_identity<RoughnessMeasure::Number>) {
+  return std::array{std::pair{"a", RoughnessMeasure::Number::A}, std::pair{"q", RoughnessMeasure::Number::Q},
+                    std::pair{"z", RoughnessMeasure::Number::Z}};
+}
 
 /// A curve y(x) of a history: the same for charts and measures.
 template <class Visitor>

@@ -55,7 +55,7 @@
 #include "engine/core/lower_case.h"
 #include "engine/core/unit_label.h"
 
-namespace burnish {
+namespace burnish::inline cad {
 namespace {
 
 struct Model {
@@ -353,7 +353,7 @@ void noting(CadProblem& problem, const Act& act) {
 }
 
 }  // namespace
-}  // namespace burnish
+}  // namespace burnish::inline cad
 
 extern "C" void burnishReadCad(const burnish::CadRequest& request, burnish::CadSurface& surface,
                                burnish::CadProblem& problem) {

@@ -3,7 +3,7 @@
 #include <STEPControl_Controller.hxx>
 #include <UnitsMethods.hxx>
 
-namespace burnish {
+namespace burnish::inline cad {
 
 /// Shapes in memory, and files that are written, are in millimetres. To be called before a reader or writer is made.
 inline void takeMillimetres() {
@@ -13,4 +13,4 @@ inline void takeMillimetres() {
   Interface_Static::SetCVal("write.step.unit", "MM");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline cad

@@ -64,7 +64,7 @@
 #include "engine/cad/occt/units.h"
 #include "engine/core/error.h"
 
-namespace burnish {
+namespace burnish::inline cad {
 namespace {
 
 /// All digits of a number: OpenCASCADE would write twelve of them to STEP, nine to IGES.
@@ -321,7 +321,7 @@ void writeBodies(const std::vector<CadBody>& bodies, LengthUnit unit, CadFormat 
 }
 
 }  // namespace
-}  // namespace burnish
+}  // namespace burnish::inline cad
 
 extern "C" void burnishWriteCad(const std::vector<burnish::CadBody>& bodies, burnish::LengthUnit unit,
                                 burnish::CadFormat format, const std::string& file,

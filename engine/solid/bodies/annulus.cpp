@@ -4,7 +4,7 @@
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bodies/body_checks.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<2> AnnulusBody::patch() const {
   return annulus(center.head<2>(), innerRadius, outerRadius, radians(startAngle), radians(openingAngle));
@@ -14,4 +14,4 @@ void check(const AnnulusBody& ring, const Problems& problems) {
   requireRing(problems, ring.innerRadius, ring.outerRadius);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,9 +3,11 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// Part of a ring: first parameter along the radius (inner to outer), second along the angle.
 struct AnnulusBody {
@@ -36,4 +38,4 @@ void describe(Visitor& v, AnnulusBody& s) {
 
 void check(const AnnulusBody& ring, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,7 +3,7 @@
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bodies/body_checks.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<3> BallOctantBody::patch() const {
   return ballOctant(center, radius, pole);
@@ -13,4 +13,4 @@ void check(const BallOctantBody& ball, const Problems& problems) {
   requireDirection(problems, "pole", ball.pole);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,9 +3,11 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// Half a ball cut by two planes of symmetry that meet at its pole.
 struct BallOctantBody {
@@ -30,4 +32,4 @@ void describe(Visitor& v, BallOctantBody& s) {
 
 void check(const BallOctantBody& ball, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -17,7 +17,7 @@
 #include "engine/solid/bodies/sweep.h"
 #include "engine/solid/bodies/tube.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The shapes of a patch of the body, in the order in which they are documented. Each has a `kind`, a
 /// `describe` and the exact `patch` of its dimension on the coarsest basis, and a `check` if its keys may
@@ -45,4 +45,4 @@ concept BringsKnots = requires(const Shape& shape) {
   { shape.dim() } -> std::same_as<int>;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

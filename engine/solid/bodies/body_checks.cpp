@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 void requireRing(const Problems& problems, double innerRadius, double outerRadius) {
   if (problems.clean("inner_radius") && problems.clean("outer_radius") && outerRadius <= innerRadius)
@@ -22,4 +22,4 @@ void requireDirection(const Problems& problems, const char* key, const Direction
     problems.report(key, "found a vector of length 0; allowed: a direction, such as [0, 0, 1].");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,7 +3,7 @@
 #include "engine/schema/problems.h"
 
 /// Checks that shapes of the body share.
-namespace burnish {
+namespace burnish::inline solid {
 
 /// Keys `inner_radius` and `outer_radius`.
 void requireRing(const Problems& problems, double innerRadius, double outerRadius);
@@ -14,4 +14,4 @@ void requireOpening(const Problems& problems, double angle, const char* whole);
 /// A direction has a length.
 void requireDirection(const Problems& problems, const char* key, const Direction& direction);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

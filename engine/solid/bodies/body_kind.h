@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// What a scene says about a shape of the body: the value of its key `shape`, a sentence, the shape with its
 /// article, and the degrees in which NURBS describe it exactly, with one knot span in each direction.
@@ -13,4 +13,4 @@ struct BodyKind {
   std::array<int, Dim> degrees;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -2,10 +2,10 @@
 
 #include "engine/nurbs/shapes.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<3> BoxBody::patch() const {
   return box(origin, size);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

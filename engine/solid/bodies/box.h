@@ -3,7 +3,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A box along the axes.
 struct BoxBody {
@@ -21,4 +21,4 @@ void describe(Visitor& v, BoxBody& s) {
   v.field("size", s.size, {.required = true, .above = 0, .unit = "length"}, "Edge lengths in x, y and z.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

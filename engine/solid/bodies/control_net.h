@@ -4,7 +4,7 @@
 #include "engine/schema/alternatives.h"
 #include "engine/solid/bodies/net.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A body whose control points, weights and knots are given.
 struct ControlNetBody : Net {
@@ -34,4 +34,4 @@ void describe(Visitor& v, ControlNetBody& s) {
 
 void check(const ControlNetBody& net, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -9,7 +9,7 @@
 #include "engine/nurbs/constructions.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 struct Side {
@@ -81,4 +81,4 @@ void check(const CoonsBody& body, const Problems& problems) {
 template Patch<2> CoonsBody::patch() const;
 template Patch<3> CoonsBody::patch() const;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -6,7 +6,7 @@
 #include "engine/schema/alternatives.h"
 #include "engine/solid/bodies/profile.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// The face between four curves.
 struct CoonsBody {
@@ -36,4 +36,4 @@ void describe(Visitor& v, CoonsBody& s) {
 
 void check(const CoonsBody& body, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 #include "engine/solid/bodies/body_checks.h"
 #include "engine/solid/bodies/disc.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<3> CylinderBody::patch() const {
   const DiscBody base{{0.0, 0.0}, radius, startAngle, openingAngle};
@@ -16,4 +16,4 @@ void check(const CylinderBody& cylinder, const Problems& problems) {
   requireDirection(problems, "axis", cylinder.axis);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

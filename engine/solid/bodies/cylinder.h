@@ -3,9 +3,11 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// A solid cylinder, whole or a sector of it; angles as those of a tube.
 struct CylinderBody {
@@ -42,4 +44,4 @@ void describe(Visitor& v, CylinderBody& s) {
 
 void check(const CylinderBody& cylinder, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

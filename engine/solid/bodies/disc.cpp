@@ -4,7 +4,7 @@
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bodies/body_checks.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<2> DiscBody::patch() const {
   const double start = radians(startAngle);
@@ -16,4 +16,4 @@ void check(const DiscBody& disc, const Problems& problems) {
   requireOpening(problems, disc.openingAngle, "disc");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,9 +3,11 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// A disc, whole or a sector of it.
 struct DiscBody {
@@ -34,4 +36,4 @@ void describe(Visitor& v, DiscBody& s) {
 
 void check(const DiscBody& disc, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,7 +3,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A whole ellipse with axes along x and y.
 struct EllipseBody {
@@ -23,4 +23,4 @@ void describe(Visitor& v, EllipseBody& s) {
           "Width and height, along x and y; the faces are named as those of a whole disc.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

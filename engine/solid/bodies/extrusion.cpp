@@ -3,7 +3,7 @@
 #include "engine/nurbs/constructions.h"
 #include "engine/solid/bodies/body_checks.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int Dim>
 Patch<Dim> ExtrusionBody::patch() const {
@@ -18,4 +18,4 @@ void check(const ExtrusionBody& body, const Problems& problems) {
 template Patch<2> ExtrusionBody::patch() const;
 template Patch<3> ExtrusionBody::patch() const;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -7,7 +7,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/profile.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A curve moved to a face, or a face to a volume; exact.
 struct ExtrusionBody {
@@ -35,4 +35,4 @@ void describe(Visitor& v, ExtrusionBody& s) {
 
 void check(const ExtrusionBody& body, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

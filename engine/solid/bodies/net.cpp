@@ -8,7 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 namespace {
 
 /// Number of basis functions; 0 when a knot vector is unusable, which is reported.
@@ -106,4 +106,4 @@ template Patch<3, 3> Net::patch() const;
 template Patch<1, 3> Net::patch() const;
 template Patch<2, 3> Net::patch() const;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -10,9 +10,11 @@
 #include "engine/nurbs/patch.h"
 #include "engine/schema/rule.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// Control points, weights and knots of a curve, a face or a body, given in the scene or in a file. `degrees`, `knots` one
 /// entry per direction; points with the first direction fastest; weights may be left out (all 1).
@@ -75,4 +77,4 @@ std::vector<KnotVector> knotVectorsOf(const Patch<P, S>& patch) {
   return knots;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

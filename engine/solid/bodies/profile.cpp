@@ -3,7 +3,7 @@
 #include "engine/nurbs/constructions.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 void checkProfile(const Net& profile, const Problems& problems) {
   if (profile.degrees.size() == 1)
@@ -20,4 +20,4 @@ Patch<3> inOwnSpace(const Patch<3, 3>& volume) {
   return volume;
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -7,9 +7,11 @@
 #include "engine/solid/bodies/net.h"
 
 /// What bodies that are made from curves and faces share.
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// Dimensions of a body made from a curve or a face: one more; 0 without degrees.
 inline int dimensionFrom(const Net& profile) {
@@ -30,4 +32,4 @@ std::vector<KnotVector> madeKnots(const Shape& shape) {
                           : knotVectorsOf(shape.template patch<3>());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -2,10 +2,10 @@
 
 #include "engine/nurbs/shapes.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<2> RectangleBody::patch() const {
   return rectangle(origin.head<2>(), size.head<2>());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

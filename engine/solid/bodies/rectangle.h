@@ -3,7 +3,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A rectangle along the axes.
 struct RectangleBody {
@@ -21,4 +21,4 @@ void describe(Visitor& v, RectangleBody& s) {
   v.field("size", s.size, {.required = true, .above = 0, .unit = "length"}, "Width and height.");
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 #include "engine/nurbs/constructions.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int Dim>
 Patch<Dim> RevolutionBody::patch() const {
@@ -23,4 +23,4 @@ void check(const RevolutionBody& body, const Problems& problems) {
 template Patch<2> RevolutionBody::patch() const;
 template Patch<3> RevolutionBody::patch() const;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

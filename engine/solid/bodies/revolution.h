@@ -8,7 +8,7 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/profile.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A curve or a face turned about an axis; exact, by rational arcs.
 struct RevolutionBody {
@@ -43,4 +43,4 @@ void describe(Visitor& v, RevolutionBody& s) {
 
 void check(const RevolutionBody& body, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -3,7 +3,7 @@
 #include "engine/nurbs/constructions.h"
 #include "engine/schema/problems.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 template <int Dim>
 Patch<Dim> SweepBody::patch() const {
@@ -26,4 +26,4 @@ void check(const SweepBody& body, const Problems& problems) {
 template Patch<2> SweepBody::patch() const;
 template Patch<3> SweepBody::patch() const;
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

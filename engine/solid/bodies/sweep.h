@@ -7,7 +7,7 @@
 #include "engine/schema/alternatives.h"
 #include "engine/solid/bodies/profile.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 /// A curve or a face carried along a curve by rotation-minimising frames.
 struct SweepBody {
@@ -43,4 +43,4 @@ void describe(Visitor& v, SweepBody& s) {
 
 void check(const SweepBody& body, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

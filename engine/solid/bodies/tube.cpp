@@ -4,7 +4,7 @@
 #include "engine/nurbs/shapes.h"
 #include "engine/solid/bodies/body_checks.h"
 
-namespace burnish {
+namespace burnish::inline solid {
 
 Patch<3> TubeBody::patch() const {
   const Patch<2> ring =
@@ -17,4 +17,4 @@ void check(const TubeBody& tube, const Problems& problems) {
   requireDirection(problems, "axis", tube.axis);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

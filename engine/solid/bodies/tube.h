@@ -3,9 +3,11 @@
 #include "engine/schema/coordinates.h"
 #include "engine/solid/bodies/body_kind.h"
 
-namespace burnish {
-
+namespace burnish::inline schema {
 class Problems;
+}  // namespace burnish::inline schema
+
+namespace burnish::inline solid {
 
 /// Part of a tube: radius (inner to outer), angle, axis. Angles count from the coordinate axis that follows
 /// the largest component of `axis`.
@@ -42,4 +44,4 @@ void describe(Visitor& v, TubeBody& s) {
 
 void check(const TubeBody& tube, const Problems& problems);
 
-}  // namespace burnish
+}  // namespace burnish::inline solid

@@ -4,7 +4,7 @@
 
 #include "engine/core/shares.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -114,4 +114,4 @@ Eigen::VectorXd BorderZone::solve(const Eigen::VectorXd& g) {
   return x.tail(g.size());
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -6,7 +6,7 @@
 #include "engine/core/team.h"
 #include "engine/solver/system_matrix.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// A over the border and a zone of the first n unknowns,
 ///
@@ -36,4 +36,4 @@ class BorderZone {
   Eigen::UmfPackLU<Eigen::SparseMatrix<double>> lu_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

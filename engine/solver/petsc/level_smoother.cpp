@@ -2,7 +2,7 @@
 
 #include "engine/solver/petsc/vectors.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 using petsc::check;
 using petsc::fill;
@@ -105,4 +105,4 @@ void LevelSmoother::solve(Vec b, Vec x) const {
     fill(b, x, byFactors);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

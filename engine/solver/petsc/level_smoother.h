@@ -6,7 +6,7 @@
 #include "engine/solver/incomplete_factors.h"
 #include "engine/solver/petsc/matrix_blocks.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// What smooths on a level: products and incomplete factors of the level's matrix by rows of nodes, in single precision,
 /// which the library does not have and takes a multiple of the time for. Each of several ranks has factors of its diagonal
@@ -65,4 +65,4 @@ class LevelSmoother {
   petsc::Matrix product_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -7,7 +7,7 @@
 
 #include "engine/core/error.h"
 
-namespace burnish::petsc {
+namespace burnish::inline solver::petsc {
 namespace {
 
 /// Gives the signals that end a run back to who had them: PETSc takes SIGTERM, and leaves it to the system when its handlers are
@@ -59,4 +59,4 @@ void check(PetscErrorCode code) {
   throw RunError(words);
 }
 
-}  // namespace burnish::petsc
+}  // namespace burnish::inline solver::petsc

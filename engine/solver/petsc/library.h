@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace burnish::petsc {
+namespace burnish::inline solver::petsc {
 
 /// Begins to use the library, once per process; it is ended with the process. Throws `Error` if it cannot.
 void begin();
@@ -50,4 +50,4 @@ using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using Solver = Owned<KSP, KSPDestroy>;
 using Preconditioner = Owned<PC, PCDestroy>;
 
-}  // namespace burnish::petsc
+}  // namespace burnish::inline solver::petsc

@@ -2,7 +2,7 @@
 
 #include <petsc/private/petscimpl.h>
 
-namespace burnish::petsc {
+namespace burnish::inline solver::petsc {
 
 MatrixBlocks::MatrixBlocks(Mat A) : diagonal(A) {
   PetscMPIInt ranks = 1;
@@ -59,4 +59,4 @@ void GhostValues::addTo(Vec x) {
   check(VecScatterEnd(scatter_, values_, x, ADD_VALUES, SCATTER_REVERSE));
 }
 
-}  // namespace burnish::petsc
+}  // namespace burnish::inline solver::petsc

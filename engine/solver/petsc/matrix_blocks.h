@@ -4,7 +4,7 @@
 #include "engine/solver/petsc/library.h"
 #include "engine/solver/row_groups.h"
 
-namespace burnish::petsc {
+namespace burnish::inline solver::petsc {
 
 /// Of this rank's rows of a matrix of the library.
 struct MatrixBlocks {
@@ -45,4 +45,4 @@ class GhostValues {
   Scatter scatter_;
 };
 
-}  // namespace burnish::petsc
+}  // namespace burnish::inline solver::petsc

@@ -8,7 +8,7 @@
 
 #include "engine/solver/petsc/library.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 /// A rank that has failed alone gives the others so much time to fail, too.
@@ -74,4 +74,4 @@ void MpiTeam::abort(int exitCode) const {
   std::_Exit(exitCode);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -3,7 +3,7 @@
 
 #include "engine/core/team.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// All processes of MPI's world.
 class MpiTeam final : public Team {
@@ -29,4 +29,4 @@ class MpiTeam final : public Team {
   mutable double bytesSent_ = 0.0;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -17,7 +17,7 @@
 #include "engine/solver/petsc/matrix_blocks.h"
 #include "engine/solver/petsc/vectors.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 namespace {
 
 using petsc::check;
@@ -747,4 +747,4 @@ void MultigridSolver::archive(StateArchive& archive) {
   implementation_->archive(archive);
 }
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

@@ -3,7 +3,7 @@
 
 #include "engine/solver/linear_solver.h"
 
-namespace burnish {
+namespace burnish::inline solver {
 
 /// Krylov methods with multigrid for K. Levels are those of the problem's hierarchy, with coarse matrices PᵀKP
 /// (Galerkin) and a Chebyshev polynomial of incomplete Cholesky factors as smoother, of two steps instead of one and
@@ -41,4 +41,4 @@ class MultigridSolver final : public LinearSolver {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace burnish
+}  // namespace burnish::inline solver

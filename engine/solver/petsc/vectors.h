@@ -3,7 +3,7 @@
 
 #include "engine/solver/petsc/library.h"
 
-namespace burnish::petsc {
+namespace burnish::inline solver::petsc {
 
 /// This rank's numbers of a vector of the library for reading, as a vector of Eigen.
 template <class F>
@@ -32,4 +32,4 @@ void fill(Vec from, Vec to, const F& f) {
   read(from, [&](auto in) { write(to, [&](auto out) { f(in.data(), out.data()); }); });
 }
 
-}  // namespace burnish::petsc
+}  // namespace burnish::inline solver::petsc

@@ -37,7 +37,7 @@ struct Placement {
   Eigen::Vector2d free = Eigen::Vector2d::Zero();  ///< for the content
 };
 
-double fit(const Eigen::Vector2d& extent, double width, double height) {
+double fittingScale(const Eigen::Vector2d& extent, double width, double height) {
   return std::max(1e-12, std::min(width / extent.x(), height / extent.y()));
 }
 
@@ -69,7 +69,7 @@ Placement place(const PixelRect& room, const Eigen::Vector2d& extent, const Scal
     p.free = direction == Overlay::Direction::Up ? Eigen::Vector2d(room.width - taken, room.height - padding)
                                                  : Eigen::Vector2d(room.width - padding, room.height - taken);
     p.free -= axes;
-    p.scale = fit(extent, p.free.x(), p.free.y());
+    p.scale = fittingScale(extent, p.free.x(), p.free.y());
     depth = bar.depth(direction, barLength(room, drawnSize(extent, p.scale, size), direction, size));
   }
   return p;
@@ -109,7 +109,7 @@ void arrangeAlone(ContourLayout& layout, const PixelRect& all, const Eigen::Vect
                   const Eigen::Vector2d& axes) {
   const double padding = 2.0 * kPadding * size;
   const PixelRect room{all.x + axes.x(), all.y + axes.y(), all.width - axes.x(), all.height - axes.y()};
-  layout.view.pixelsPerLength = fit(extent, room.width - padding, room.height - padding);
+  layout.view.pixelsPerLength = fittingScale(extent, room.width - padding, room.height - padding);
   const Eigen::Vector2d drawn = drawnSize(extent, layout.view.pixelsPerLength, size);
   const Eigen::Vector2d middle = room.center();
   layout.view.area = {std::floor(middle.x() - drawn.x() / 2), std::floor(middle.y() - drawn.y() / 2),

@@ -26,30 +26,26 @@ namespace burnish {
 /// the principal stresses.
 enum class ArrowField { None, Displacement, Traction, Principal, Streamlines };
 
-template <>
-struct EnumNames<ArrowField> {
-  static constexpr std::array values{
-      std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
-      std::pair{"traction", ArrowField::Traction}, std::pair{"principal", ArrowField::Principal},
-      std::pair{"streamlines", ArrowField::Streamlines}};
-};
+constexpr auto enumNames(std::type_identity<ArrowField>) {
+  return std::array{std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
+                    std::pair{"traction", ArrowField::Traction},
+                    std::pair{"principal", ArrowField::Principal},
+                    std::pair{"streamlines", ArrowField::Streamlines}};
+}
 
 /// What the faces show that a cut or a slice makes.
 enum class CutFace { Field, Hatch };
 
-template <>
-struct EnumNames<CutFace> {
-  static constexpr std::array values{std::pair{"field", CutFace::Field}, std::pair{"hatch", CutFace::Hatch}};
-};
+constexpr auto enumNames(std::type_identity<CutFace>) {
+  return std::array{std::pair{"field", CutFace::Field}, std::pair{"hatch", CutFace::Hatch}};
+}
 
 /// What is drawn of the edges behind surfaces.
 enum class HiddenLines { Off, Dashed };
 
-template <>
-struct EnumNames<HiddenLines> {
-  static constexpr std::array values{std::pair{"off", HiddenLines::Off},
-                                     std::pair{"dashed", HiddenLines::Dashed}};
-};
+constexpr auto enumNames(std::type_identity<HiddenLines>) {
+  return std::array{std::pair{"off", HiddenLines::Off}, std::pair{"dashed", HiddenLines::Dashed}};
+}
 
 /// A name of `viewNames`, or a direction "X,Y,Z" towards the eye.
 struct ViewName {
@@ -106,11 +102,9 @@ inline constexpr std::array<int, 2> kPrintSize{482, 271};
 /// What the colours of a field are in files for print.
 enum class PrintField { Image, Vector };
 
-template <>
-struct EnumNames<PrintField> {
-  static constexpr std::array values{std::pair{"image", PrintField::Image},
-                                     std::pair{"vector", PrintField::Vector}};
-};
+constexpr auto enumNames(std::type_identity<PrintField>) {
+  return std::array{std::pair{"image", PrintField::Image}, std::pair{"vector", PrintField::Vector}};
+}
 
 /// Of a smooth field that becomes vectors.
 inline constexpr int kVectorBands = 64;

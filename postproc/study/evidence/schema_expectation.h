@@ -4,11 +4,10 @@
 
 namespace burnish {
 
-template <>
-struct EnumNames<ExpectedTrend::Direction> {
-  static constexpr std::array values{std::pair{"increasing", ExpectedTrend::Direction::Increasing},
-                                     std::pair{"decreasing", ExpectedTrend::Direction::Decreasing}};
-};
+constexpr auto enumNames(std::type_identity<ExpectedTrend::Direction>) {
+  return std::array{std::pair{"increasing", ExpectedTrend::Direction::Increasing},
+                    std::pair{"decreasing", ExpectedTrend::Direction::Decreasing}};
+}
 
 template <class Visitor>
 void describe(Visitor& v, ExpectedValue& s) {

@@ -10,11 +10,10 @@ namespace burnish {
 /// The panels that share something.
 enum class SheetShare { Panel, Row, Sheet };
 
-template <>
-struct EnumNames<SheetShare> {
-  static constexpr std::array values{std::pair{"panel", SheetShare::Panel}, std::pair{"row", SheetShare::Row},
-                                     std::pair{"sheet", SheetShare::Sheet}};
-};
+constexpr auto enumNames(std::type_identity<SheetShare>) {
+  return std::array{std::pair{"panel", SheetShare::Panel}, std::pair{"row", SheetShare::Row},
+                    std::pair{"sheet", SheetShare::Sheet}};
+}
 
 /// Contour pictures in a grid: a row for each time, a column for each run.
 struct SheetFigure {

@@ -10,11 +10,9 @@ namespace burnish {
 
 enum class SurfaceQuantity { Pressure, Gap };
 
-template <>
-struct EnumNames<SurfaceQuantity> {
-  static constexpr std::array values{std::pair{"pressure", SurfaceQuantity::Pressure},
-                                     std::pair{"gap", SurfaceQuantity::Gap}};
-};
+constexpr auto enumNames(std::type_identity<SurfaceQuantity>) {
+  return std::array{std::pair{"pressure", SurfaceQuantity::Pressure}, std::pair{"gap", SurfaceQuantity::Gap}};
+}
 
 /// A contact quantity over the current x position along the contact face, one picture for each time.
 struct SurfaceFigure {

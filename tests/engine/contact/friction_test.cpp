@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(PointwisePenalty, FrictionInSpace,
 /// A ball that spins, of the method.
 std::vector<FrictionCase> spinning() {
   std::vector<FrictionCase> cases;
-  for (const auto& [name, method] : EnumNames<Enforcement>::values)
+  for (const auto& [name, method] : kNamesOf<Enforcement>)
     for (const double mu : {0.0, 0.1, 5.0}) cases.push_back({.mu = mu, .method = method, .spins = true});
   return cases;
 }
@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Spinning, FrictionInSpace, testing::ValuesIn(spinning()
 /// A tool that follows a surface, of the method.
 std::vector<FrictionCase> following() {
   std::vector<FrictionCase> cases;
-  for (const auto& [name, method] : EnumNames<Enforcement>::values)
+  for (const auto& [name, method] : kNamesOf<Enforcement>)
     for (const double mu : {0.0, 0.1}) cases.push_back({.mu = mu, .method = method, .follows = true});
   return cases;
 }
@@ -317,7 +317,7 @@ TEST(FrictionLaw, SlipIsAddedUpUnderPressure) {
 
 /// Reaction and moment, those of friction included, are what a free tool's equations say.
 TEST(FrictionOnAFreeTool, ReactionAndMomentAreTheForcesOnIt) {
-  for (const auto& [name, method] : EnumNames<Enforcement>::values) {
+  for (const auto& [name, method] : kNamesOf<Enforcement>) {
     Rubbed rubbed = rubbedBlock({.mu = 0.1, .isFree = true, .method = method});
     const Eigen::VectorXd force = test::forceOf(rubbed.term, 1.0, rubbed.x);
     const ContactState& state = rubbed.term.state();
