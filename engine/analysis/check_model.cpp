@@ -165,7 +165,8 @@ void requireReachable(const Scene& scene, const Model<Dim>& model, const Contact
   const FaceFinder<Dim>& faces = model.faces();
   faces.requireOuter(spec.place, place);
   const NearestPoint nearest = nearestPoint(model.body(), faces.face(spec.place), tool, 0.0);
-  if (-nearest.gap > kTouching * std::min(tool.shape.halfThickness(), model.body().size()))
+  const double touching = kTouching * std::min(tool.shape.halfThickness(), model.body().size());
+  if (-nearest.gap > touching + tool.shape.bulge())
     throw InputError(place, fmt::format("tool '{}' overlaps face '{}' by {:.3g} at the start; {}", spec.tool,
                                         spec.place.face, -nearest.gap,
                                         apartText(scene.tools[model.toolNumber(spec.tool)])));

@@ -13,6 +13,7 @@ struct Die {
 
   GapQuery query(const Eigen::Vector3d& x) const;
   double halfThickness() const { return solid.halfThicknessOfDie(); }
+  double bulge() const { return solid.bulge(); }
   Eigen::Vector3d middle() const { return solid.middle(); }
   SurfaceMesh outline(int dim, double reach) const;
 };

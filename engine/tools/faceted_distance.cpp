@@ -59,6 +59,13 @@ std::size_t FacetedDistance::NodeHash::operator()(const Node& node) const {
   return hash;
 }
 
+double FacetedDistance::bulge() const {
+  // Of the spacing. On the faces of a wedge of 150, 90, 45 degrees the spline is 0.031, 0.093, 0.106 lower than the
+  // distance; a corner of three faces adds to that.
+  constexpr double kBulge = 0.2;
+  return kBulge * spacing_;
+}
+
 double FacetedDistance::sample(const Node& node) const {
   const auto [it, isNew] = samples_.try_emplace(node, 0.0);
   if (isNew)

@@ -27,6 +27,9 @@ class FacetedDistance {
 
   GapQuery query(const Eigen::Vector3d& x) const;
 
+  /// How far the smoothed surface stands out of the facets beside an edge, at most.
+  double bulge() const;
+
  private:
   using Node = std::array<std::int64_t, 3>;
   struct NodeHash {

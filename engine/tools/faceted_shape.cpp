@@ -18,6 +18,10 @@ double FacetedShape::halfThickness() const {
   return 0.5 * extent.head(surface.cells.rows()).minCoeff();
 }
 
+double FacetedShape::bulge() const {
+  return distance->bulge();
+}
+
 Eigen::Vector3d FacetedShape::middle() const {
   return middleOfBox(distance->surface());
 }

@@ -18,6 +18,9 @@ struct FacetedShape {
 
   /// Half the smallest extent of a closed surface, infinity for an open one.
   double halfThickness() const;
+
+  /// See `FacetedDistance::bulge`.
+  double bulge() const;
   Eigen::Vector3d middle() const;
 
   /// The pieces themselves.

@@ -21,7 +21,8 @@ namespace burnish::inline tools {
 ///     outline        its surface, to be drawn in so many dimensions: roundings in pieces of 5 degrees,
 ///                    infinite shapes cut at the distance `reach` from their own point
 ///
-/// A shape may say `halfThicknessOfDie` too: how deep a point can be in the die around it, else infinity.
+/// A shape may say `halfThicknessOfDie` too: how deep a point can be in the die around it, else infinity; and
+/// `bulge`: how far it stands out of what it was made from, else 0.
 template <class S>
 concept ToolSurface = requires(const S& shape, const Eigen::Vector3d& x) {
   { shape.query(x) } -> std::same_as<GapQuery>;
@@ -43,6 +44,7 @@ class RigidShape {
   GapQuery query(const Eigen::Vector3d& x) const { return shape_->query(x); }
   double halfThickness() const { return shape_->halfThickness(); }
   double halfThicknessOfDie() const { return shape_->halfThicknessOfDie(); }
+  double bulge() const { return shape_->bulge(); }
   Eigen::Vector3d middle() const { return shape_->middle(); }
   SurfaceMesh outline(int dim, double reach) const { return shape_->outline(dim, reach); }
 
@@ -55,6 +57,7 @@ class RigidShape {
     virtual GapQuery query(const Eigen::Vector3d& x) const = 0;
     virtual double halfThickness() const = 0;
     virtual double halfThicknessOfDie() const = 0;
+    virtual double bulge() const = 0;
     virtual Eigen::Vector3d middle() const = 0;
     virtual SurfaceMesh outline(int dim, double reach) const = 0;
     virtual RecordedShape recorded(int dim, double reach) const = 0;
@@ -71,6 +74,12 @@ class RigidShape {
         return shape.halfThicknessOfDie();
       else
         return std::numeric_limits<double>::infinity();
+    }
+    double bulge() const override {
+      if constexpr (requires { shape.bulge(); })
+        return shape.bulge();
+      else
+        return 0.0;
     }
     Eigen::Vector3d middle() const override { return shape.middle(); }
     SurfaceMesh outline(int dim, double reach) const override { return shape.outline(dim, reach); }

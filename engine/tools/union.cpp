@@ -65,6 +65,12 @@ double Union::halfThickness() const {
   return smallest;
 }
 
+double Union::bulge() const {
+  double largest = 0.0;
+  for (const RigidShape& part : parts) largest = std::max(largest, part.bulge());
+  return largest;
+}
+
 Vector3d Union::middle() const {
   Vector3d sum = Vector3d::Zero();
   for (const RigidShape& part : parts) sum += part.middle();

@@ -21,6 +21,8 @@ struct Union {
 
   /// That of the thinnest part.
   double halfThickness() const;
+  /// That of the part that stands out most.
+  double bulge() const;
   Eigen::Vector3d middle() const;
   SurfaceMesh outline(int dim, double reach) const;
 };

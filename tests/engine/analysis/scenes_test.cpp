@@ -21,17 +21,21 @@ TEST(Examples, RunToTheirEndAndBalanceTheirEnergy) {
 }
 
 /// A disc over a coarse block; `tool` and `supports` are YAML.
-Scene discOverBlock(const std::string& tool, const std::string& supports, int steps) {
+Scene toolOverBlock(const std::string& tool, const std::string& supports, int steps) {
   return parseScene(fmt::format(R"(
 geometry: {{shape: rectangle, size: [2, 1], functions: [8, 5]}}
 material: {{law: neo-hookean, E: 1, nu: 0.3}}
 supports: {}
-tools: [{{name: disc, shape: cylinder, radius: 0.5, {}}}]
+tools: [{{name: disc, {}}}]
 contact: [{{tool: disc, face: top, method: augmented-lagrangian}}]
 steps: [{{until: 1, count: {}}}]
 )",
                                 supports, tool, steps),
                     "block.yaml");
+}
+
+Scene discOverBlock(const std::string& tool, const std::string& supports, int steps) {
+  return toolOverBlock("shape: cylinder, radius: 0.5, " + tool, supports, steps);
 }
 
 std::string refusalOf(const Scene& scene) {
@@ -55,6 +59,21 @@ TEST(Tools, ThatPassThroughTheSurfaceStopTheRun) {
     for (const double force : outcome.history.column("disc.fy"))
       EXPECT_GE(force, 0.0) << "contact never pulls";
   }
+}
+
+TEST(Tools, OfPiecesThatTouchWithAFlatEndArePressed) {
+  const std::string held = "[{face: bottom, fix: [x, y]}]", motion = "motion: {times: [0, 1], y: [0, -0.02]}";
+  const auto punchAt = [&](double y) {
+    return toolOverBlock(
+        fmt::format("shape: polyline, points: [[0.6, {0}], [1.4, {0}], [1.4, 1.4], [0.6, 1.4]], {1}", y,
+                    motion),
+        held, 2);
+  };
+  const auto outcome = test::run(punchAt(1.0), "flat_end");
+  ASSERT_TRUE(outcome.summary.completed) << outcome.summary.stoppedBecause;
+  EXPECT_NEAR(outcome.history.column("disc.contact_area").back(), 0.8, 0.1);
+  const std::string refusal = refusalOf(punchAt(0.99));
+  EXPECT_NE(refusal.find("tool 'disc' overlaps face 'top' by 0.01"), std::string::npos) << refusal;
 }
 
 TEST(Tools, ThatStartInsideOrCannotMoveTheirFaceAreRefused) {

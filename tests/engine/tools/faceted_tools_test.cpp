@@ -167,6 +167,19 @@ TEST(MeshTool, HasTheDerivativesOfItsGapAlsoOverEdges) {
   EXPECT_NEAR(mesh.halfThickness(), 0.5, 1e-12);
 }
 
+TEST(MeshTool, StandsOutOfFacesBesideItsEdgesByItsBulgeAtMost) {
+  for (const double spacing : {0.04, 0.11}) {
+    const RigidShape mesh = makeFacetedShape(readSurface(writeOff("cube", cube()), 1.0, false), spacing);
+    double smallest = 0.0;
+    for (double x = 0.0; x < 0.5; x += 0.1 * spacing)
+      for (double y = 0.0; y < 0.5; y += 0.1 * spacing)
+        smallest = std::min(smallest, mesh.query({x, y, 1.0}).gap);
+    EXPECT_GE(smallest, -mesh.bulge());
+    EXPECT_LE(smallest, -0.4 * mesh.bulge());
+  }
+  EXPECT_EQ(RigidShape(RoundedBox{{0.5, 0.5, 0.5}, Vector3d::Ones()}).bulge(), 0.0);
+}
+
 TEST(MeshTool, AnswersDoNotDependOnTheOrderOfQuestions) {
   const auto file = writeOff("small", sphere(4));
   const FacetedShape one = makeFacetedShape(readSurface(file, 1.0, false));
