@@ -68,7 +68,10 @@ double largestInRun(const ResultReader& result, const FrameRecord& frame, const 
     box.extend(Eigen::Vector3d(points.rowwise().minCoeff()));
     box.extend(Eigen::Vector3d(points.rowwise().maxCoeff()));
   }
-  if (frame.displacement.cwiseAbs().maxCoeff() > kUnmoved * box.diagonal().norm()) return 0.0;
+  const auto hasMoved = [&](const FrameRecord& record) {
+    return record.displacement.cwiseAbs().maxCoeff() > kUnmoved * box.diagonal().norm();
+  };
+  if (hasMoved(frame)) return 0.0;
   const double own = magnitudeOf(chooseField(result.model(), frame, field));
   if (own == 0.0) return 0.0;
   for (int k = result.numFrames() - 1; k >= 0; --k) {
@@ -77,6 +80,7 @@ double largestInRun(const ResultReader& result, const FrameRecord& frame, const 
     if (std::ranges::find(names, field) == names.end()) continue;
     const double other = magnitudeOf(chooseField(result.model(), record, field));
     if (own < kRounding * other) return other;
+    if (other > 0.0 && hasMoved(record)) return 0.0;  // a field of its own: the other frames are not read
   }
   return 0.0;
 }
