@@ -1,14 +1,18 @@
 option(BURNISH_TOGETHER "Compile the files of a folder together where nothing is computed: builds take half the time" ON)
 
-# burnish_sources(TARGET [TOGETHER] [TOGETHER_IN folder...] [EXCEPT file...]): all sources of this folder and of the folders in it. Who
-# adds one names it nowhere. TOGETHER: those of one folder are one translation unit, of large folders several; TOGETHER_IN: of these
-# folders alone.
+# burnish_sources(TARGET [TOGETHER] [TOGETHER_IN folder...] [OF folder...] [EXCEPT file or folder...]): all sources of this folder and
+# of the folders in it, or of these folders alone. Who adds one names it nowhere. TOGETHER: those of one folder are one translation
+# unit, of large folders several; TOGETHER_IN: of these folders alone.
 function(burnish_sources target)
-  cmake_parse_arguments(arg "TOGETHER" "" "TOGETHER_IN;EXCEPT" ${ARGN})
+  cmake_parse_arguments(arg "TOGETHER" "" "TOGETHER_IN;OF;EXCEPT" ${ARGN})
   set(most_files 20)  # of a translation unit
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
-  foreach(source IN LISTS arg_EXCEPT)
-    list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${source}")
+  set(patterns *.cpp)
+  if(arg_OF)
+    list(TRANSFORM arg_OF APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
+  foreach(exception IN LISTS arg_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${exception}(/|$)")
   endforeach()
   target_sources(${target} PRIVATE ${sources})
   if(NOT arg_TOGETHER AND NOT arg_TOGETHER_IN)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the directions of includes against cmake/lint/includes.txt. Usage: includes.py ROOT"""
+"""Checks the directions of includes against cmake/lint/includes.txt, and that the names of a folder of the engine are in its
+namespace. Usage: includes.py ROOT"""
 import pathlib
 import re
 import sys
@@ -37,6 +38,8 @@ def main(root):
             complaints.append(f'{place}: no row of cmake/lint/includes.txt is about this folder')
             continue
         for number, line in enumerate(path.read_text('utf-8').splitlines(), 1):
+            if place.parts[0] == 'engine' and line == 'namespace burnish {':
+                complaints.append(f'{place}:{number}: names of this folder belong to namespace burnish::inline {place.parts[1]}')
             include = re.match(r'\s*#\s*include "((?:engine|postproc|cli)/[^"]+)"', line)
             there = room_of(include[1], table) if include else here
             if there not in table[here] | {here, 'engine/core'} and there.split('/')[0] not in table[here]:

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 
 #include "engine/analysis/run.h"
 #include "engine/core/error.h"
@@ -16,7 +17,10 @@
 
 namespace {
 
-burnish::Scene pressed(double modulus) {
+// Names can be written with their room and without.
+static_assert(std::is_same_v<burnish::scene::Scene, burnish::Scene>);
+
+burnish::scene::Scene pressed(double modulus) {
   const std::string yaml = fmt::format(
       "geometry: {{shape: rectangle, size: [2, 1], functions: [17, 9]}}\n"
       "material: {{law: neo-hookean, E: {}, nu: 0.3}}\n"
@@ -26,14 +30,14 @@ burnish::Scene pressed(double modulus) {
       "steps: [{{until: 1, count: 20}}]\n"
       "output: {{every: 0.25}}\n",
       modulus);
-  return burnish::parseScene(yaml, "pressed block");
+  return burnish::scene::parseScene(yaml, "pressed block");
 }
 
 /// Follows a run: how far it is, and the largest stress of its frames.
-class Watch : public burnish::RunObserver {
+class Watch : public burnish::analysis::RunObserver {
  public:
-  void onStep(const burnish::RunProgress& progress) override { time = progress.time; }
-  void onFrame(const burnish::ModelRecord&, const burnish::FrameRecord& frame) override {
+  void onStep(const burnish::analysis::RunProgress& progress) override { time = progress.time; }
+  void onFrame(const burnish::results::ModelRecord&, const burnish::results::FrameRecord& frame) override {
     largestStress = std::fmax(largestStress, frame.quadrature.fields.at("von_mises").values.maxCoeff());
   }
 
@@ -48,12 +52,13 @@ struct Pressed {
 
 Pressed press(double modulus, const std::filesystem::path& directory) {
   Watch watch;
-  const burnish::RunOptions options{.halt = [&] { return watch.time >= 0.5; }};
-  const burnish::RunSummary summary = burnish::runScene(pressed(modulus), directory, options, watch);
-  const burnish::HistoryTable history = burnish::readHistory(directory / "history.csv");
+  const burnish::analysis::RunOptions options{.halt = [&] { return watch.time >= 0.5; }};
+  const burnish::analysis::RunSummary summary =
+      burnish::analysis::runScene(pressed(modulus), directory, options, watch);
+  const burnish::results::HistoryTable history = burnish::results::readHistory(directory / "history.csv");
   const double force = history.column("disc.fy").back();
   fmt::print("E = {}: {} steps, {} frames, force {:.6f}, largest stress {:.6f}\n", modulus, summary.steps,
-             burnish::ResultReader(directory).numFrames(), force, watch.largestStress);
+             burnish::results::ResultReader(directory).numFrames(), force, watch.largestStress);
   return summary.halted && summary.steps == 10 ? Pressed{force, watch.largestStress} : Pressed{};
 }
 
@@ -68,7 +73,7 @@ int main(int argc, char** argv) {
     const bool isProportional =
         std::abs(stiff.force - 2.0 * soft.force) < 1e-6 && std::abs(stiff.stress - 2.0 * soft.stress) < 1e-6;
     return soft.force > 0.0 && soft.stress > 0.0 && isProportional ? 0 : 1;
-  } catch (const burnish::Error& error) {
+  } catch (const burnish::core::Error& error) {
     fmt::print(stderr, "press: {}\n", error.what());
     return 2;
   }
