@@ -96,9 +96,11 @@ ForeignOptions foreignOptions(const PictureArguments& arguments, const ForeignFi
   if (!arguments.field.empty() && file.times().size() > 1)
     requireForeignFields(file, frames, arguments.field);
   const std::vector<int> ofWindow = frames.size() > 1 ? frames : std::vector<int>();
-  return withCommonView(ownForeignOptions(arguments, file, frames.front()), file,
-                        framesOfRange(arguments.range, frames, static_cast<int>(instantsOf(file).size())),
-                        ofWindow);
+  const ForeignOptions own = ownForeignOptions(arguments, file, frames.front());
+  ForeignOptions shared = withCommonView(
+      own, file, framesOfRange(arguments.range, frames, static_cast<int>(instantsOf(file).size())), ofWindow);
+  if (own.clip && shared.range) shared.note = clipNote(*own.clip, std::nullopt);
+  return shared;
 }
 
 PictureSource sourceOfForeign(const PictureArguments& arguments) {
@@ -120,7 +122,7 @@ PictureSource sourceOfForeign(const PictureArguments& arguments) {
               return changed;
             };
             return PictureSource::Single{
-                own, "",
+                own, own.clip ? clipNote(*own.clip, std::nullopt) : "",
                 [=, &arguments](int instant, const ContourOptions& options, bool, bool) {
                   return withChosenField(arguments,
                                          [&] { return foreignView(*file, instant, with(options)); });

@@ -424,7 +424,7 @@ TEST_F(ForeignCommand, EveryFormatMakesAPicture) {
 
 TEST_F(ForeignCommand, WhatBelongsToRunsIsRefused) {
   for (const char* option :
-       {"--control-net", "--subdivision 3", "--vectors displacement", "--clip 90", "--tool-opacity 1",
+       {"--control-net", "--subdivision 3", "--vectors displacement", "--clip 40", "--tool-opacity 1",
         "--warp 2", "--body nothing", "--field region --isolines 3"}) {
     const auto refused = burnish("render " + sample("meshio.vtu") + " -o b.png " + option);
     EXPECT_EQ(refused.code, 2) << option;

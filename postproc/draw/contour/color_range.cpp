@@ -57,16 +57,6 @@ double quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, con
   return values(byValue.back());
 }
 
-/// The (100-p)th and the p-th percentile.
-std::array<double, 2> percentiles(const Tessellation& tessellation, const FieldChoice& choice, double p) {
-  const Eigen::VectorXd values = choice.drawnScalars(tessellation.evaluate(choice.coefficients));
-  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
-  std::iota(byValue.begin(), byValue.end(), 0);
-  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
-  const Eigen::VectorXd sizes = pointSizes(tessellation);
-  return {quantile(values, sizes, byValue, 1.0 - p / 100.0), quantile(values, sizes, byValue, p / 100.0)};
-}
-
 /// Smallest and largest value of a contact field; nothing if one is not finite. States have the same colours
 /// everywhere.
 std::optional<std::array<double, 2>> contactExtremes(const FieldChoice& field) {
@@ -90,6 +80,20 @@ std::string ordinal(double number) {
 
 }  // namespace
 
+void checkPercentile(double clip) {
+  if (!(clip > kLowestPercentile && clip <= 100.0))
+    throw Error(
+        fmt::format("clip: found {}; expected a percentile above {}, at which the colours end, up to 100",
+                    clip, kLowestPercentile));
+}
+
+std::array<double, 2> percentiles(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, double p) {
+  std::vector<int> byValue(static_cast<std::size_t>(values.size()));
+  std::iota(byValue.begin(), byValue.end(), 0);
+  std::stable_sort(byValue.begin(), byValue.end(), [&](int a, int b) { return values(a) < values(b); });
+  return {quantile(values, sizes, byValue, 1.0 - p / 100.0), quantile(values, sizes, byValue, p / 100.0)};
+}
+
 std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& frame, const std::string& field,
                                  int subdivision, std::optional<double> clip) {
   return fieldRanges(model, frame, chooseField(model, frame, field), subdivision, clip).shown;
@@ -97,10 +101,7 @@ std::array<double, 2> fieldRange(const ModelRecord& model, const FrameRecord& fr
 
 FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                        int subdivision, std::optional<double> clip) {
-  if (clip && !(*clip > kLowestPercentile && *clip <= 100.0))
-    throw Error(
-        fmt::format("clip: found {}; expected a percentile above {}, at which the colours end, up to 100",
-                    *clip, kLowestPercentile));
+  if (clip) checkPercentile(*clip);
   const FieldMesh meshes(model, frame, field.name);
   const MeshRecord& mesh = meshes.with();
   const auto ofBodies = [&]() -> std::optional<std::array<double, 2>> {
@@ -112,7 +113,9 @@ FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const
     throw Error(fmt::format("field {} of frame {} holds values that are not finite; it cannot be drawn",
                             field.name, frame.index));
   if (!clip || *clip == 100.0) return {*whole, *whole, field.unit};
-  const auto clipped = percentiles(Tessellation(mesh, subdivision), field, *clip);
+  const Tessellation cells(mesh, subdivision);
+  const auto clipped =
+      percentiles(field.drawnScalars(cells.evaluate(field.coefficients)), pointSizes(cells), *clip);
   return {*whole, clipped[0] < clipped[1] ? clipped : *whole, field.unit};
 }
 
@@ -127,9 +130,11 @@ bool isOneValue(const std::array<double, 2>& range) {
   return widened(range) != range;
 }
 
-std::string clipNote(double clip, int dim) {
-  return fmt::format("colours end at the {} and {} percentiles of the {}", ordinal(100.0 - clip),
-                     ordinal(clip), dim == 2 ? "area" : "volume");
+std::string clipNote(double clip, std::optional<int> dim) {
+  return fmt::format("colours end at the {} and {} percentiles{}", ordinal(100.0 - clip), ordinal(clip),
+                     !dim        ? ""
+                     : *dim == 2 ? " of the area"
+                                 : " of the volume");
 }
 
 }  // namespace burnish

@@ -28,13 +28,19 @@ struct FieldRange {
 FieldRange fieldRanges(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                        int subdivision, std::optional<double> clip);
 
+/// Throws `Error` for a percentile out of range.
+void checkPercentile(double clip);
+
+/// The (100-p)th and the p-th percentile of values, each of which stands for a part of the whole.
+std::array<double, 2> percentiles(const Eigen::VectorXd& values, const Eigen::VectorXd& sizes, double p);
+
 /// A range that a colour scale can have: a field that is constant gets a scale around it.
 std::array<double, 2> widened(const std::array<double, 2>& range);
 
 /// Whether a field that goes through this range has one value, but for rounding.
 bool isOneValue(const std::array<double, 2>& range);
 
-/// What a picture says of clipped colours: "colours end at the 1st and 99th percentiles of the area".
-std::string clipNote(double clip, int dim);
+/// What a picture says of clipped colours: "colours end at the 1st and 99th percentiles of the area". dim: where it is known.
+std::string clipNote(double clip, std::optional<int> dim);
 
 }  // namespace burnish

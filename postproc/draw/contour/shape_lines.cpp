@@ -141,4 +141,19 @@ vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface) {
   return edges->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> rimOf(vtkPolyData& surface) {
+  constexpr double kMerged = 1e-7;
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(&surface);
+  clean->SetTolerance(kMerged);
+  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputConnection(clean->GetOutputPort());
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ColoringOff();
+  edges->Update();
+  return edges->GetOutput();
+}
+
 }  // namespace burnish

@@ -40,4 +40,7 @@ vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, do
 /// The border of a surface and its sharp edges.
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface);
 
+/// The border of a surface alone.
+vtkSmartPointer<vtkPolyData> rimOf(vtkPolyData& surface);
+
 }  // namespace burnish

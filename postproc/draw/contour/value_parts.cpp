@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkCellArray.h>
-#include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
-#include <vtkFeatureEdges.h>
 #include <vtkNew.h>
 #include <vtkNonMergingPointLocator.h>
 #include <vtkPolyData.h>
@@ -18,6 +16,7 @@
 
 #include "engine/core/error.h"
 #include "postproc/draw/contour/field_choice.h"
+#include "postproc/draw/contour/shape_lines.h"
 #include "postproc/mesh/body_surface.h"
 #include "postproc/mesh/chosen_bodies.h"
 #include "postproc/mesh/outlines.h"
@@ -94,22 +93,6 @@ void chooseAlong(vtkPolyData& lines, const FieldChoice& choosing) {
   const Eigen::Map<const Eigen::MatrixXd> values(along->GetPointer(0), along->GetNumberOfComponents(),
                                                  along->GetNumberOfTuples());
   lines.GetPointData()->AddArray(makeArray(kChosen, choosing.drawnScalars(values).transpose(), {}));
-}
-
-/// Where a surface ends.
-Parts rimOf(vtkPolyData& surface) {
-  constexpr double kMerged = 1e-7;
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(&surface);
-  clean->SetTolerance(kMerged);
-  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputConnection(clean->GetOutputPort());
-  edges->FeatureEdgesOff();
-  edges->NonManifoldEdgesOff();
-  edges->ColoringOff();
-  edges->Update();
-  return edges->GetOutput();
 }
 
 /// The rises of values between the points of a lattice in one direction, in one step, to second order: central differences, and of

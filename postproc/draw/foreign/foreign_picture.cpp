@@ -5,6 +5,7 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -23,12 +24,14 @@
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/core/nearest.h"
+#include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/contour_series.h"
 #include "postproc/draw/contour/contour_subject.h"
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/gaps.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/foreign/foreign_fields.h"
+#include "postproc/draw/foreign/foreign_percentiles.h"
 #include "postproc/draw/foreign/foreign_surface.h"
 #include "postproc/draw/foreign/linear_parts.h"
 #include "postproc/draw/page/picture_warnings.h"
@@ -53,9 +56,11 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
   refuse(options.threshold && !options.threshold->field.empty(), "threshold",
          "files of other programs are parted by the field that is drawn alone: leave its name out");
-  refuse(options.isosurfaces.has_value(), "isosurfaces",
-         "only bodies of burnish have surfaces of equal value");
-  refuse(options.clip.has_value(), "clip", "only fields of runs of burnish have percentiles");
+  const std::string surfacesOf = options.isosurfaces ? options.isosurfaces->field : "";
+  if (!surfacesOf.empty() && surfacesOf != options.field)
+    throw Error(fmt::format(
+        "isosurfaces: found {}; of files of other programs they are those of the field that is drawn: draw {}",
+        surfacesOf, surfacesOf));
 }
 
 /// The cells of a block with nothing but what is drawn, and what shapes curved cells.
@@ -155,6 +160,7 @@ class SubjectMaker {
     subject.dim = isFlat ? 2 : 3;
     const ValuePlaces places = placesOf(*cells.with);
     subject.ranges.whole = subject.ranges.shown = rangeOf(places);
+    if (options_.clip && choice_) subject.ranges.shown = clipped(*places.back(), subject.ranges.whole);
     if (!choice_ && !options_.field.empty()) {
       subject.note = "no values";
       if (options_.range) {  // beside the scale of frames with values
@@ -163,7 +169,9 @@ class SubjectMaker {
       }
     }
     subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
-    if (options_.threshold) subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
+    if (options_.isosurfaces) chooseSurfaces(cells, subject);
+    if (options_.threshold || options_.isosurfaces)
+      subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
     subject.parts.mark = options_.mark;
     if (options_.markExtremes && choice_) {
       subject.parts.extremes = extremesOf(places, subject.dim);
@@ -306,6 +314,20 @@ class SubjectMaker {
     return range;
   }
 
+  /// The range between the percentiles of `clip`, unless the field is constant but for a spot.
+  std::array<double, 2> clipped(vtkPointSet& places, const std::array<double, 2>& whole) const {
+    checkPercentile(*options_.clip);
+    vtkDataArray& drawn = *drawnOf(places);
+    Eigen::VectorXd sizes = sizesIn(places, places.GetPointData()->GetArray("drawn") == nullptr);
+    Eigen::VectorXd values(sizes.size());
+    for (Eigen::Index k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
+    const auto isFinite = values.array().isFinite();
+    sizes = isFinite.select(sizes, 0.0).eval();
+    values = isFinite.select(values, 0.0).eval();
+    const std::array<double, 2> range = percentiles(values, sizes, *options_.clip);
+    return range[0] < range[1] ? range : whole;
+  }
+
   static Eigen::Vector3d middleOf(vtkCell& cell) {
     const double* bounds = cell.GetBounds();
     return 0.5 * Eigen::Vector3d(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
@@ -401,6 +423,67 @@ class SubjectMaker {
     parts.ghost = whole.plain ? together(*whole.body, *whole.plain) : whole.body;
     parts.ghostOutline = whole.outline;
     return parts;
+  }
+
+  /// Surfaces on which the drawn field has one value, instead of the body. Only where points have values do these lie
+  /// between cells.
+  void chooseSurfaces(const Cells& cells, ContourSubject& subject) const {
+    const std::string file = file_.file().string();
+    if (!choice_) throw Error("isosurfaces: no field is drawn, which could have them; add field");
+    if (choice_->field.ofCells)
+      throw Error(fmt::format(
+          "isosurfaces: {} has one value per cell, between which there are no surfaces; draw it without",
+          choice_->field.name));
+    if (options_.knots)
+      throw Error(
+          "knots: edges of cells are on the outside of a body, whose place isosurfaces take; draw without");
+    int highest = 0;
+    for (vtkIdType k = 0; k < cells.with->GetNumberOfCells(); ++k)
+      highest = std::max(highest, cells.with->GetCell(k)->GetCellDimension());
+    if (highest < 3)
+      throw Error(fmt::format("isosurfaces: {} has no volumes with {}, in which they could be; take isolines",
+                              file, choice_->field.name));
+    const auto valuesOf = [this, whole = subject.ranges.whole](const std::array<double, 2>& range) {
+      return options_.isosurfaces->of(isOneValue(whole) ? std::nullopt : std::optional(range));
+    };
+    subject.choiceNote = [valuesOf, words = subject.field.words,
+                          unit = subject.field.unit](const std::array<double, 2>& range) {
+      const std::vector<double> values = valuesOf(range);
+      return values.empty() ? "" : surfacesNote(values, words, unit);
+    };
+    subject.choose = [this, valuesOf, volumes = cells.with](ContourParts& parts,
+                                                            const std::array<double, 2>& range) {
+      const auto left = [&](const Faces& part) { return options_.cut ? behind(*part, *parts.plane) : part; };
+      parts.ghost = parts.plain ? together(*parts.body, *parts.plain) : parts.body;
+      parts.ghostOutline = parts.outline;
+      parts.plain = parts.section = parts.plainSection = parts.knots = nullptr;
+      parts.body = left(shaded(surfacesIn(volumes, valuesOf(range)), 3));
+      parts.outline = rimOf(*parts.body);
+    };
+  }
+
+  /// Where the drawn field has these values.
+  Faces surfacesIn(Grid volumes, const std::vector<double>& values) const {
+    if (values.empty()) return Faces::New();
+    if (numGaps_ > 0) volumes = cellsOfValues(*volumes);
+    if (hasCurved(*volumes)) {
+      vtkDataArray& drawn = *volumes->GetPointData()->GetArray("drawn");
+      Eigen::VectorXd atPoints(drawn.GetNumberOfTuples());
+      for (vtkIdType k = 0; k < atPoints.size(); ++k) atPoints(k) = drawn.GetComponent(k, 0);
+      volumes = linearParts(*volumes, atPoints, {values.front(), values.back()});
+    }
+    vtkNew<vtkContourFilter> contour;
+    contour->SetInputData(volumes);
+    contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "drawn");
+    contour->ComputeNormalsOff();
+    contour->ComputeGradientsOff();
+    contour->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    contour->SetNumberOfContours(static_cast<int>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k) contour->SetValue(static_cast<int>(k), values[k]);
+    contour->Update();
+    const Faces surfaces = contour->GetOutput();
+    surfaces->GetPointData()->SetActiveScalars("drawn");
+    return surfaces;
   }
 
   static Grid cellsBetween(vtkUnstructuredGrid& cells, const std::array<double, 2>& ends) {
@@ -565,7 +648,10 @@ FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions
   SubjectMaker maker(file, instant, blocksAt(file, instant), options);
   const ContourSubject subject = maker.make();
   FrameView view{.content = {}};
-  if (maker.hasField()) view.shown = view.extremes = subject.ranges.whole;
+  if (maker.hasField()) {
+    view.shown = subject.ranges.shown;
+    view.extremes = subject.ranges.whole;
+  }
   view.hasNote = mayHaveNote(options) || !subject.without.empty() || !subject.note.empty();
   view.hasGaps = hasGaps(subject.parts);
   view.unit = subject.field.unit;
