@@ -79,7 +79,8 @@ void checkPlanes(const PictureOptions& options, std::optional<int> dim, std::vec
 void checkChoice(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
   const auto checkField = [&](const char* key, const std::string& field) {
     const std::vector<std::string> names = bodyFields();
-    if (!field.empty() && std::find(names.begin(), names.end(), field) == names.end())
+    if (!field.empty() && field != options.field &&
+        std::find(names.begin(), names.end(), field) == names.end())
       problems.push_back(
           {key, fmt::format("found the field \"{}\"; allowed: a field of bodies, such as von_mises.{}", field,
                             didYouMean(field, names))});
