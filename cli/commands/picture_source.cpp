@@ -79,7 +79,7 @@ ForeignOptions ownForeignOptions(const PictureArguments& arguments, const Foreig
   picture.warp = 0.0;  // as it stands in the file, unless something is to be added
   picture.toolOpacity = std::nan("");
   picture.range = rangeOf(arguments);
-  picture.field = drawnField(arguments, file, instant);
+  picture.ofOthers = true;
   readPicture(arguments, picture, std::nullopt);
   if (!std::isnan(picture.toolOpacity))
     throw Error(fmt::format("--tool-opacity: only runs of burnish have tools; draw {} without it",
@@ -87,6 +87,7 @@ ForeignOptions ownForeignOptions(const PictureArguments& arguments, const Foreig
   ForeignOptions options(picture);
   options.toolOpacity = PictureOptions().toolOpacity;
   options.addedWarp = std::exchange(options.warp, 1.0);
+  options.field = drawnField(arguments, file, instant);
   return options;
 }
 

@@ -37,9 +37,12 @@ def main(root):
         if here is None:
             complaints.append(f'{place}: no row of cmake/lint/includes.txt is about this folder')
             continue
-        for number, line in enumerate(path.read_text('utf-8').splitlines(), 1):
-            if place.parts[0] == 'engine' and line == 'namespace burnish {':
-                complaints.append(f'{place}:{number}: names of this folder belong to namespace burnish::inline {place.parts[1]}')
+        text = path.read_text('utf-8')
+        if place.parts[0] == 'engine' and '\nnamespace burnish' in text:
+            own = f'namespace burnish::inline {place.parts[1]}'
+            if '\nnamespace burnish {' in text or not re.search(rf'^{own}\b', text, re.MULTILINE):
+                complaints.append(f'{place}: names of this folder belong to {own}')
+        for number, line in enumerate(text.splitlines(), 1):
             include = re.match(r'\s*#\s*include "((?:engine|postproc|cli)/[^"]+)"', line)
             there = room_of(include[1], table) if include else here
             if there not in table[here] | {here, 'engine/core'} and there.split('/')[0] not in table[here]:

@@ -422,6 +422,28 @@ TEST_F(ForeignCommand, EveryFormatMakesAPicture) {
     EXPECT_EQ(burnish("render " + sample(name) + " --size 300,200 -o " + name + ".png").code, 0) << name;
 }
 
+TEST_F(ForeignCommand, ColoursEndAtPercentilesAndSurfacesHaveGivenValues) {
+  const std::string draw = "render " + sample("a.exo") + " --field von_mises -o a.png ";
+  EXPECT_EQ(burnish(draw + "--clip 90").code, 0);
+  EXPECT_EQ(burnish(draw + "--isosurfaces 3 --cut x=0.4").code, 0);
+  EXPECT_EQ(burnish(draw + "--isosurfaces von_mises=0,0.5").code, 0);
+  const auto other = burnish(draw + "--isosurfaces pressureX=3");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err,
+              HasSubstr("--isosurfaces: found pressureX; of files of other programs they are those of the "
+                        "field that is drawn, von_mises"));
+  EXPECT_THAT(burnish("render " + sample("a.exo") + " --field layer --isosurfaces 3 -o b.png").err,
+              HasSubstr("one value per cell"));
+}
+
+TEST_F(ForeignCommand, FieldsWithNamesOfContactFieldsAreDrawnLikeOthers) {
+  std::ofstream(dir_ / "own.vtk") << "# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET STRUCTURED_POINTS\n"
+                                     "DIMENSIONS 2 2 1\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 4\n"
+                                     "SCALARS contact_pressure double 1\nLOOKUP_TABLE default\n0 1 2 3\n";
+  const auto drawn = burnish("render own.vtk --field contact_pressure --clip 90 -o a.png");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+}
+
 TEST_F(ForeignCommand, WhatBelongsToRunsIsRefused) {
   for (const char* option :
        {"--control-net", "--subdivision 3", "--vectors displacement", "--clip 40", "--tool-opacity 1",

@@ -297,7 +297,9 @@ class ContourPicture {
             joined({options_.warp == 1.0 ? "" : fmt::format("displacements × {:.6g}", options_.warp),
                     parts_.arrows.note, sectionNote(), extremesNote(), plainNote(), gapsNote(), subject_.note,
                     subject_.choiceNote ? subject_.choiceNote(scale.range()) : "", options_.note,
-                    clipped ? clipNote(*options_.clip, subject_.dim) : ""}),
+                    clipped ? clipNote(*options_.clip,
+                                       options_.ofOthers ? std::nullopt : std::optional(subject_.dim))
+                            : ""}),
             options_.doubt,
             subject_.dim == 3,
             options_.scaleBar,

@@ -68,19 +68,17 @@ double largestInRun(const ResultReader& result, const FrameRecord& frame, const 
     box.extend(Eigen::Vector3d(points.rowwise().minCoeff()));
     box.extend(Eigen::Vector3d(points.rowwise().maxCoeff()));
   }
-  const auto hasMoved = [&](const FrameRecord& record) {
-    return record.displacement.cwiseAbs().maxCoeff() > kUnmoved * box.diagonal().norm();
-  };
-  if (hasMoved(frame)) return 0.0;
+  if (frame.displacement.cwiseAbs().maxCoeff() > kUnmoved * box.diagonal().norm()) return 0.0;
   const double own = magnitudeOf(chooseField(result.model(), frame, field));
   if (own == 0.0) return 0.0;
-  for (int k = result.numFrames() - 1; k >= 0; --k) {
+  constexpr int kMost = 16;  // frames that are read
+  const int last = result.numFrames() - 1, step = 1 + last / kMost;
+  for (int k = last; k >= 0; k -= step) {
     const FrameRecord record = result.frame(k);
     const std::vector<std::string> names = fieldNames(record);
     if (std::ranges::find(names, field) == names.end()) continue;
     const double other = magnitudeOf(chooseField(result.model(), record, field));
     if (own < kRounding * other) return other;
-    if (other > 0.0 && hasMoved(record)) return 0.0;  // a field of its own: the other frames are not read
   }
   return 0.0;
 }

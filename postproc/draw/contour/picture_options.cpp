@@ -79,8 +79,7 @@ void checkPlanes(const PictureOptions& options, std::optional<int> dim, std::vec
 void checkChoice(const PictureOptions& options, std::optional<int> dim, std::vector<InputProblem>& problems) {
   const auto checkField = [&](const char* key, const std::string& field) {
     const std::vector<std::string> names = bodyFields();
-    if (!field.empty() && field != options.field &&
-        std::find(names.begin(), names.end(), field) == names.end())
+    if (!field.empty() && !options.ofOthers && std::find(names.begin(), names.end(), field) == names.end())
       problems.push_back(
           {key, fmt::format("found the field \"{}\"; allowed: a field of bodies, such as von_mises.{}", field,
                             didYouMean(field, names))});
@@ -147,7 +146,7 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
 
 /// Faces in contact are recorded where they are, as surfaces, with their own values alone.
 void checkContactField(const PictureOptions& options, std::vector<InputProblem>& problems) {
-  if (!isContactField(options.field)) return;
+  if (options.ofOthers || !isContactField(options.field)) return;
   const auto refuse = [&](bool isGiven, const char* key) {
     if (isGiven)
       problems.push_back(

@@ -159,6 +159,7 @@ struct PictureOptions : PageLook, PictureDefaults, PrintOptions {
   std::optional<std::string> title;           ///< instead of the model's; empty: none
   std::optional<Color> background;            ///< instead of the theme's paper
   bool transparent = false;                   ///< no paper: the picture has an alpha channel
+  bool ofOthers = false;                      ///< of another program's file, whose fields may have any name
 };
 
 /// Fresh options with a size of their own.

@@ -6,8 +6,7 @@ class vtkPointSet;
 namespace burnish {
 
 /// The part of the cells of the highest dimension that belongs to each point: equal shares of their lengths, areas or
-/// volumes; with ofCells each cell's own, 0 for those of lower dimensions. Curved cells count as their corners and nodes
-/// lie.
+/// volumes; with ofCells each cell's own, 0 for those of lower dimensions. places: of linear cells.
 Eigen::VectorXd sizesIn(vtkPointSet& places, bool ofCells);
 
 }  // namespace burnish

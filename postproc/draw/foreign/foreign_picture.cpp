@@ -56,11 +56,13 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
   refuse(options.threshold && !options.threshold->field.empty(), "threshold",
          "files of other programs are parted by the field that is drawn alone: leave its name out");
+  refuse(options.clip && options.field.empty(), "clip", "no field is drawn, whose colours it would end");
+  if (options.clip) checkPercentile(*options.clip);
   const std::string surfacesOf = options.isosurfaces ? options.isosurfaces->field : "";
   if (!surfacesOf.empty() && surfacesOf != options.field)
     throw Error(fmt::format(
-        "isosurfaces: found {}; of files of other programs they are those of the field that is drawn: draw {}",
-        surfacesOf, surfacesOf));
+        "isosurfaces: found {}; of files of other programs they are those of the field that is drawn, {}",
+        surfacesOf, options.field));
 }
 
 /// The cells of a block with nothing but what is drawn, and what shapes curved cells.
@@ -115,6 +117,9 @@ std::vector<ForeignField> fieldsFrom(const ForeignFile& file, std::size_t first)
   return fields;
 }
 
+/// Parts of curved cells inside of bodies, where their values are looked at.
+constexpr vtkIdType kMostInside = 100'000;
+
 class SubjectMaker {
  public:
   SubjectMaker(const ForeignFile& file, int instant, const std::vector<ForeignBlock>& blocks,
@@ -160,7 +165,7 @@ class SubjectMaker {
     subject.dim = isFlat ? 2 : 3;
     const ValuePlaces places = placesOf(*cells.with);
     subject.ranges.whole = subject.ranges.shown = rangeOf(places);
-    if (options_.clip && choice_) subject.ranges.shown = clipped(*places.back(), subject.ranges.whole);
+    if (options_.clip && choice_) subject.ranges.shown = clipped(cells.with, subject.ranges.whole);
     if (!choice_ && !options_.field.empty()) {
       subject.note = "no values";
       if (options_.range) {  // beside the scale of frames with values
@@ -168,9 +173,10 @@ class SubjectMaker {
         subject.ranges = {{kNone, kNone}, *options_.range};
       }
     }
-    subject.parts = options_.threshold ? chosenParts(cells, subject) : partsOf(cells, subject);
-    if (options_.isosurfaces) chooseSurfaces(cells, subject);
-    if (options_.threshold || options_.isosurfaces)
+    const bool isBare = !choice_ && !options_.field.empty();  // a mesh, before what was computed on it
+    subject.parts = options_.threshold && !isBare ? chosenParts(cells, subject) : partsOf(cells, subject);
+    if (options_.isosurfaces && !isBare) chooseSurfaces(cells, subject);
+    if ((options_.threshold || options_.isosurfaces) && !isBare)
       subject.chosenRange = [whole = subject.ranges.whole] { return whole; };
     subject.parts.mark = options_.mark;
     if (options_.markExtremes && choice_) {
@@ -280,7 +286,6 @@ class SubjectMaker {
   /// inside take their place.
   static ValuePlaces placesOf(vtkUnstructuredGrid& cells) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    constexpr vtkIdType kMostInside = 100'000;
     if (!hasCurved(cells)) return {&cells};
     const Faces faces = outerFaces(cells);
     if (!hasBezier(cells)) return {faces, &cells};
@@ -315,16 +320,26 @@ class SubjectMaker {
   }
 
   /// The range between the percentiles of `clip`, unless the field is constant but for a spot.
-  std::array<double, 2> clipped(vtkPointSet& places, const std::array<double, 2>& whole) const {
-    checkPercentile(*options_.clip);
-    vtkDataArray& drawn = *drawnOf(places);
-    Eigen::VectorXd sizes = sizesIn(places, places.GetPointData()->GetArray("drawn") == nullptr);
-    Eigen::VectorXd values(sizes.size());
-    for (Eigen::Index k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
-    const auto isFinite = values.array().isFinite();
-    sizes = isFinite.select(sizes, 0.0).eval();
-    values = isFinite.select(values, 0.0).eval();
-    const std::array<double, 2> range = percentiles(values, sizes, *options_.clip);
+  std::array<double, 2> clipped(Grid cells, const std::array<double, 2>& whole) const {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    if (*options_.clip == 100.0 || cells->GetNumberOfCells() == 0) return whole;
+    if (hasCurved(*cells))
+      cells = linearParts(*cells, Eigen::VectorXd::Zero(cells->GetNumberOfPoints()), {-kInfinite, kInfinite},
+                          kMostInside);
+    vtkDataArray& drawn = *drawnOf(*cells);
+    const Eigen::VectorXd sizes = sizesIn(*cells, choice_->field.ofCells);
+    std::vector<double> values, weights;
+    for (Eigen::Index k = 0; k < sizes.size(); ++k) {
+      const double value = drawn.GetComponent(k, 0);
+      if (sizes(k) == 0.0 || !std::isfinite(value)) continue;
+      values.push_back(value);
+      weights.push_back(sizes(k));
+    }
+    if (values.empty()) return whole;
+    const auto asVector = [](const std::vector<double>& numbers) {
+      return Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+    };
+    const std::array<double, 2> range = percentiles(asVector(values), asVector(weights), *options_.clip);
     return range[0] < range[1] ? range : whole;
   }
 
@@ -482,6 +497,7 @@ class SubjectMaker {
     for (std::size_t k = 0; k < values.size(); ++k) contour->SetValue(static_cast<int>(k), values[k]);
     contour->Update();
     const Faces surfaces = contour->GetOutput();
+    surfaces->SetLines(nullptr);  // on faces that are no faces of volumes
     surfaces->GetPointData()->SetActiveScalars("drawn");
     return surfaces;
   }

@@ -12,7 +12,8 @@ namespace burnish {
 
 /// How such a file is drawn.
 struct ForeignOptions : ContourOptions {
-  using ContourOptions::ContourOptions;
+  explicit ForeignOptions(const PictureOptions& picture = {}) : ContourOptions(picture) { ofOthers = true; }
+
   double addedWarp =
       0.0;  ///< points are moved by the file's displacements times this; the values keep theirs
 };

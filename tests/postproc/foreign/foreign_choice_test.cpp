@@ -5,20 +5,22 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "engine/core/error.h"
 #include "postproc/draw/foreign/foreign_percentiles.h"
 #include "postproc/draw/foreign/foreign_picture.h"
 #include "postproc/draw/page/picture_warnings.h"
 #include "tests/engine/analysis/run_scene.h"
 #include "tests/message_of.h"
+#include "tests/postproc/picture.h"
 
 /// What is chosen of other programs' files by the values of their fields.
 namespace burnish {
@@ -82,9 +84,21 @@ TEST(ForeignPercentiles, WeighByAreaAndVolumeAndNotByPoints) {
     EXPECT_NEAR((*view.shown)[1], 0.8, 0.01);
     EXPECT_NEAR((*view.extremes)[0], 0.0, 1e-12);
     EXPECT_NEAR((*view.extremes)[1], 1.0, 1e-12);
+    options.clip = 100.0;
+    EXPECT_EQ(foreignView(lattice.read(), 0, options).shown, view.extremes);
     options.clip = 40.0;
     EXPECT_THAT(messageOf([&] { foreignView(lattice.read(), 0, options); }), HasSubstr("clip: found 40"));
   }
+}
+
+TEST(ForeignPercentiles, PassOverWhatIsNoNumber) {
+  const auto value = [](double x, double, double) { return x == 0.0 ? std::nan("") : 5.0 + 5.0 * x; };
+  const LatticeFile lattice("foreign_gaps", {graded(400), {0.0, 0.5}, {0.0}}, value);
+  ForeignOptions options = optionsFor("value");
+  options.clip = 99.999;
+  const FrameView view = foreignView(lattice.read(), 0, options);
+  EXPECT_NEAR((*view.shown)[0], 5.0, 0.01);
+  EXPECT_NEAR((*view.shown)[1], 10.0, 0.1);
 }
 
 TEST(ForeignPercentiles, CellsCountByTheirSizeAndThoseOfLowerDimensionsNot) {
@@ -108,14 +122,36 @@ TEST(ForeignPercentiles, CellsCountByTheirSizeAndThoseOfLowerDimensionsNot) {
   EXPECT_NEAR(sizesIn(*grid, false).sum(), 3.0, 1e-12);
 }
 
-TEST(ForeignSurfaces, AreDrawnOfPointsInVolumesAlone) {
-  const std::vector<double> side{-1.0, -0.5, 0.0, 0.5, 1.0};
+/// The part of the picture's width in which something is drawn, and in which something is coloured.
+std::array<double, 2> widthsIn(const std::filesystem::path& file) {
+  const Picture picture = readPicture(file);
+  std::array<int, 2> first{picture.width, picture.width}, last{-1, -1};
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Color color = picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
+      const auto [low, high] = std::minmax({color.r, color.g, color.b});
+      for (const std::size_t k : {0U, 1U})
+        if (k == 0 ? low < 250 : high - low > 60) {
+          first[k] = std::min(first[k], x);
+          last[k] = std::max(last[k], x);
+        }
+    }
+  return {static_cast<double>(last[0] - first[0]), static_cast<double>(last[1] - first[1])};
+}
+
+TEST(ForeignSurfaces, LieWhereTheFieldHasTheirValueAndOnlyInVolumes) {
+  std::vector<double> side;
+  for (int k = 0; k <= 16; ++k) side.push_back(-1.0 + k / 8.0);
   const auto value = [](double x, double y, double z) { return x * x + y * y + z * z; };
   const LatticeFile cube("foreign_surfaces", {side, side, side}, value);
   ForeignOptions options = optionsFor("value");
-  options.isosurfaces = ChosenValues{.count = 0, .field = "value", .values = {0.5}};
+  options.view.name = "xy";
+  options.colorScale = options.occlusion = false;
+  options.title = "";
+  options.isosurfaces = ChosenValues{.count = 0, .field = "value", .values = {0.25}};
   drawForeign(cube.read(), {0}, options, {cube.picture()});
-  EXPECT_TRUE(std::filesystem::exists(cube.picture()));
+  const auto [body, ball] = widthsIn(cube.picture());
+  EXPECT_NEAR(ball / body, 0.5, 0.02);
   options.isosurfaces->values = {4.0};
   takeWarnings();
   drawForeign(cube.read(), {0}, options, {cube.picture()});
@@ -128,7 +164,8 @@ TEST(ForeignSurfaces, AreDrawnOfPointsInVolumesAlone) {
               HasSubstr("isosurfaces: found other"));
   options.isosurfaces = ChosenValues{.count = 3, .field = "", .values = {}};
   const LatticeFile sheet("foreign_sheet", {side, side, {0.0}}, value);
-  EXPECT_NE(messageOf([&] { drawForeign(sheet.read(), {0}, options, {sheet.picture()}); }), "");
+  EXPECT_THAT(messageOf([&] { drawForeign(sheet.read(), {0}, options, {sheet.picture()}); }),
+              HasSubstr("has no volumes with value"));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/draw/foreign/foreign_percentiles.h"
 #include "postproc/draw/foreign/foreign_surface.h"
 #include "postproc/mesh/plane_section.h"
 
@@ -149,6 +150,8 @@ TEST(LinearParts, FillEveryKindOfCell) {
         1e-12)
         << type;
     EXPECT_NEAR(sizeOf(*parts), size, 1e-12) << type;
+    EXPECT_NEAR(sizesIn(*parts, false).sum(), size, 1e-12) << type;
+    EXPECT_NEAR(sizesIn(*parts, true).sum(), size, 1e-12) << type;
     for (vtkIdType part = 0; part < parts->GetNumberOfCells(); ++part)
       EXPECT_TRUE(isRightHanded(*parts->GetCell(part))) << type << " " << part;
   }
