@@ -129,7 +129,7 @@ std::array<double, 2> widthsIn(const std::filesystem::path& file) {
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const Color color = picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
-      const auto [low, high] = std::minmax({color.r, color.g, color.b});
+      const auto [low, high] = std::minmax({color[0], color[1], color[2]});
       for (const std::size_t k : {0U, 1U})
         if (k == 0 ? low < 250 : high - low > 60) {
           first[k] = std::min(first[k], x);
