@@ -130,20 +130,24 @@ TEST(ForeignPercentiles, CellsCountByTheirSizeAndThoseOfLowerDimensionsNot) {
   EXPECT_NEAR(sizesIn(*grid, false).sum(), 3.0, 1e-12);
 }
 
-/// The part of the picture's width in which something is drawn, and in which something is coloured.
+/// From the first to the last pixel that is drawn, and that is coloured, in rows with coloured ones.
 std::array<double, 2> widthsIn(const std::filesystem::path& file) {
   const Picture picture = readPicture(file);
   std::array<int, 2> first{picture.width, picture.width}, last{-1, -1};
-  for (int y = 0; y < picture.height; ++y)
+  for (int y = 0; y < picture.height; ++y) {
+    std::array<std::vector<int>, 2> found;
     for (int x = 0; x < picture.width; ++x) {
-      const Color color = picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
+      const Color& color = picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
       const auto [low, high] = std::minmax({color[0], color[1], color[2]});
-      for (const std::size_t k : {0U, 1U})
-        if (k == 0 ? low < 250 : high - low > 40) {
-          first[k] = std::min(first[k], x);
-          last[k] = std::max(last[k], x);
-        }
+      if (low < 250) found[0].push_back(x);
+      if (high - low > 40) found[1].push_back(x);
     }
+    if (found[1].empty()) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      first[k] = std::min(first[k], found[k].front());
+      last[k] = std::max(last[k], found[k].back());
+    }
+  }
   return {static_cast<double>(last[0] - first[0]), static_cast<double>(last[1] - first[1])};
 }
 
