@@ -54,22 +54,6 @@ Parts between(const Parts& parts, const std::array<double, 2>& ends) {
   return beyond(beyond(parts, ends[0], true), ends[1], false);
 }
 
-/// Where `kChosen` has these values: surfaces in volumes, lines on surfaces, with the point data there.
-Parts levelsOf(vtkDataSet& cells, const std::vector<double>& values) {
-  vtkNew<vtkContourFilter> contour;
-  contour->SetInputData(&cells);
-  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, kChosen);
-  contour->ComputeNormalsOff();
-  contour->ComputeGradientsOff();
-  contour->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  contour->SetNumberOfContours(static_cast<int>(values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k) contour->SetValue(static_cast<int>(k), values[k]);
-  contour->Update();
-  const Parts result = contour->GetOutput();
-  result->GetPointData()->SetActiveScalars(kDrawn);
-  return result;
-}
-
 /// Without points, but with what points have.
 Parts emptySurface() {
   const Parts nothing = Parts::New();
@@ -194,6 +178,21 @@ void orient(vtkPolyData& surface, Eigen::Matrix3Xd normals) {
 
 }  // namespace
 
+Parts levelsOf(vtkDataSet& cells, const char* array, const std::vector<double>& values) {
+  vtkNew<vtkContourFilter> contour;
+  contour->SetInputData(&cells);
+  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
+  contour->ComputeNormalsOff();
+  contour->ComputeGradientsOff();
+  contour->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  contour->SetNumberOfContours(static_cast<int>(values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) contour->SetValue(static_cast<int>(k), values[k]);
+  contour->Update();
+  const Parts result = contour->GetOutput();
+  result->GetPointData()->SetActiveScalars(kDrawn);
+  return result;
+}
+
 FieldChoice choosingField(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& drawn,
                           const ContourOptions& options) {
   const std::string& name = options.threshold ? options.threshold->field : options.isosurfaces->field;
@@ -230,7 +229,7 @@ void keepBetween(ContourParts& parts, const std::array<double, 2>& ends, const F
   parts.ghostOutline = parts.outline;
   parts.plain = nullptr;
   chooseAlong(*parts.outline, choosing);
-  parts.outline = together(*between(parts.outline, ends), *levelsOf(*parts.body, finite(ends)));
+  parts.outline = together(*between(parts.outline, ends), *levelsOf(*parts.body, kChosen, finite(ends)));
   parts.body = between(parts.body, ends);
   if (!parts.knots) return;
   chooseAlong(*parts.knots, choosing);
@@ -259,7 +258,7 @@ void ValueVolume::setValues(vtkPointData& points, const Mesh& mesh) const {
 }
 
 Parts ValueVolume::surfaceAt(const std::vector<double>& values, double sign) const {
-  const Parts surface = levelsOf(*grid_, values);
+  const Parts surface = levelsOf(*grid_, kChosen, values);
   if (surface->GetNumberOfPoints() == 0) return emptySurface();
   Eigen::Matrix3Xd normals(3, surface->GetNumberOfPoints());
   vtkDataArray* uphill = surface->GetPointData()->GetArray(kUphill);
@@ -385,7 +384,7 @@ void chooseInSpace(ContourParts& parts, const ModelRecord& model, const FrameRec
   }
   if (!options.knots) return;
   const Parts faces = volume.spanFaces();
-  parts.knots = options.slice ? Parts::New() : left(levelsOf(*faces, values));
+  parts.knots = options.slice ? Parts::New() : left(levelsOf(*faces, kChosen, values));
   if ((options.cut && options.threshold) || options.slice)
     parts.knots = together(*parts.knots, *inside(sectionOf(*faces, *parts.plane)));
   if (!options.threshold || options.slice) return;

@@ -10,6 +10,7 @@
 #include "postproc/mesh/tessellation.h"
 #include "postproc/mesh/vtk_arrays.h"
 
+class vtkDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -18,6 +19,11 @@ namespace burnish {
 
 /// Point data: the values by which parts are chosen.
 inline constexpr const char* kChosen = "chosen";
+
+/// Where an array of the points has these values: surfaces in volumes, lines on surfaces, with the point data there, of which
+/// `drawn` are the scalars.
+vtkSmartPointer<vtkPolyData> levelsOf(vtkDataSet& cells, const char* array,
+                                      const std::vector<double>& values);
 
 /// The field of a threshold or of surfaces, whichever the options have: the drawn one, or that of their name. Throws
 /// `Error` for one that is not in the frame, or not in a body that is drawn.

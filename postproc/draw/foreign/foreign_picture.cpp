@@ -5,7 +5,6 @@
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkContourFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -30,6 +29,7 @@
 #include "postproc/draw/contour/contour_view.h"
 #include "postproc/draw/contour/gaps.h"
 #include "postproc/draw/contour/shape_lines.h"
+#include "postproc/draw/contour/value_parts.h"
 #include "postproc/draw/foreign/foreign_fields.h"
 #include "postproc/draw/foreign/foreign_percentiles.h"
 #include "postproc/draw/foreign/foreign_surface.h"
@@ -421,12 +421,7 @@ class SubjectMaker {
       chosen.with = cellsBetween(*cells.with, ends);
     } else {
       if (numGaps_ > 0) chosen.with = cellsOfValues(*cells.with);
-      if (hasCurved(*chosen.with)) {
-        vtkDataArray& drawn = *chosen.with->GetPointData()->GetArray("drawn");
-        Eigen::VectorXd values(drawn.GetNumberOfTuples());
-        for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
-        chosen.with = linearParts(*chosen.with, values, ends);
-      }
+      if (hasCurved(*chosen.with)) chosen.with = partsBetween(*chosen.with, ends);
       chosen.with = cutAt(chosen.with, ends[0], false);
       chosen.with = cutAt(chosen.with, ends[1], true);
     }
@@ -477,28 +472,21 @@ class SubjectMaker {
     };
   }
 
+  /// Linear parts of cells, also of curved ones, where the drawn field may lie between two values.
+  static Grid partsBetween(vtkUnstructuredGrid& cells, const std::array<double, 2>& ends) {
+    vtkDataArray& drawn = *cells.GetPointData()->GetArray("drawn");
+    Eigen::VectorXd values(drawn.GetNumberOfTuples());
+    for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
+    return linearParts(cells, values, ends);
+  }
+
   /// Where the drawn field has these values.
   Faces surfacesIn(Grid volumes, const std::vector<double>& values) const {
     if (values.empty()) return Faces::New();
     if (numGaps_ > 0) volumes = cellsOfValues(*volumes);
-    if (hasCurved(*volumes)) {
-      vtkDataArray& drawn = *volumes->GetPointData()->GetArray("drawn");
-      Eigen::VectorXd atPoints(drawn.GetNumberOfTuples());
-      for (vtkIdType k = 0; k < atPoints.size(); ++k) atPoints(k) = drawn.GetComponent(k, 0);
-      volumes = linearParts(*volumes, atPoints, {values.front(), values.back()});
-    }
-    vtkNew<vtkContourFilter> contour;
-    contour->SetInputData(volumes);
-    contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "drawn");
-    contour->ComputeNormalsOff();
-    contour->ComputeGradientsOff();
-    contour->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    contour->SetNumberOfContours(static_cast<int>(values.size()));
-    for (std::size_t k = 0; k < values.size(); ++k) contour->SetValue(static_cast<int>(k), values[k]);
-    contour->Update();
-    const Faces surfaces = contour->GetOutput();
+    if (hasCurved(*volumes)) volumes = partsBetween(*volumes, {values.front(), values.back()});
+    const Faces surfaces = levelsOf(*volumes, "drawn", values);
     surfaces->SetLines(nullptr);  // on faces that are no faces of volumes
-    surfaces->GetPointData()->SetActiveScalars("drawn");
     return surfaces;
   }
 
