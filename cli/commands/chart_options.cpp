@@ -159,6 +159,13 @@ void writePicture(const Chart& chart, const ChartOutputs& outputs) {
   target.finish();
 }
 
+void requirePrintedAlone(bool json, const ChartOutputs& outputs) {
+  if (json && outputs.printsData())
+    throw Error("--json: it and the data of --csv - would be printed together; expected one of them");
+  if (json && outputs.printsPicture())
+    throw Error("--json: it and the picture of -o - would be printed together; expected one of them");
+}
+
 void checkOutputs(const ChartOutputs& outputs, std::vector<fs::path> inputs) {
   requireChartName(outputs.picture);
   if (outputs.picture.empty() && outputs.csv.empty())

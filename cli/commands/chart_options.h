@@ -81,6 +81,9 @@ std::string runName(const std::filesystem::path& file, const std::string& usual)
 /// Draws the chart into its file, or prints it as PNG.
 void writePicture(const Chart& chart, const ChartOutputs& outputs);
 
+/// Throws `Error` if JSON would be printed beside the picture or the data.
+void requirePrintedAlone(bool json, const ChartOutputs& outputs);
+
 /// Throws `Error` if there is neither a picture nor a file of data, if both are to be printed, or if one of them is an input.
 void checkOutputs(const ChartOutputs& outputs, std::vector<std::filesystem::path> inputs);
 

@@ -90,6 +90,7 @@ GeometryListing listOfCad(const std::filesystem::path& file, bool isStep) {
           .unit = found.fileUnit,
           .unitOfBoxes = labelOf(found.unit),
           .solids = std::move(found.solids),
+          .shells = std::move(found.shells),
           .faces = std::move(found.faces)};
 }
 
@@ -147,11 +148,19 @@ std::string geometryText(const GeometryListing& listing) {
     text += infoLine(
         "solid", fmt::format("{}{} faces, {}", beginOf(k + 1, solid.name), solid.faces, boxText(solid.box)));
   }
+  const auto ofSolid = [](const CadPart& part) {
+    return part.solid > 0 ? fmt::format(", of solid {}", part.solid) : "";
+  };
+  for (std::size_t k = 0; k < listing.shells.size(); ++k) {
+    const CadPart& shell = listing.shells[k];
+    if (shell.solid > 0 && std::ranges::count(listing.shells, shell.solid, &CadPart::solid) == 1) continue;
+    text += infoLine("shell", fmt::format("{}{} faces{}, {}", beginOf(k + 1, shell.name), shell.faces,
+                                          ofSolid(shell), boxText(shell.box)));
+  }
   for (std::size_t k = 0; k < listing.faces.size(); ++k) {
     const CadPart& face = listing.faces[k];
-    const std::string solid = face.solid > 0 ? fmt::format(", of solid {}", face.solid) : "";
     text += infoLine("face", fmt::format("{}{}{}, {}", beginOf(k + 1, face.name),
-                                         face.isExact ? "exact" : "trimmed", solid, boxText(face.box)));
+                                         face.isExact ? "exact" : "trimmed", ofSolid(face), boxText(face.box)));
   }
   for (std::size_t k = 0; k < listing.nets.size(); ++k) {
     const ListedNet& net = listing.nets[k];
@@ -169,11 +178,17 @@ Json::Value geometryJson(const GeometryListing& listing) {
   value["kind"] = listing.kind;
   value["unit"] = listing.unit;
   value["unit_of_boxes"] = listing.unitOfBoxes;
-  for (const char* key : {"solids", "faces", "objects"}) value[key] = Json::Value(Json::arrayValue);
+  for (const char* key : {"solids", "shells", "faces", "objects"}) value[key] = Json::Value(Json::arrayValue);
   for (std::size_t k = 0; k < listing.solids.size(); ++k) {
     Json::Value solid = partJson(k + 1, listing.solids[k].name, listing.solids[k].box);
     solid["faces"] = listing.solids[k].faces;
     value["solids"].append(std::move(solid));
+  }
+  for (std::size_t k = 0; k < listing.shells.size(); ++k) {
+    Json::Value shell = partJson(k + 1, listing.shells[k].name, listing.shells[k].box);
+    shell["faces"] = listing.shells[k].faces;
+    shell["solid"] = listing.shells[k].solid;
+    value["shells"].append(std::move(shell));
   }
   for (std::size_t k = 0; k < listing.faces.size(); ++k) {
     Json::Value face = partJson(k + 1, listing.faces[k].name, listing.faces[k].box);

@@ -24,8 +24,8 @@ struct GeometryListing {
   std::filesystem::path file{};
   std::string kind{};         ///< "STEP", ...
   std::string unit{};         ///< as the file says it; may be empty
-  std::string unitOfBoxes{};  ///< of solids and faces
-  std::vector<CadPart> solids{}, faces{};
+  std::string unitOfBoxes{};  ///< of solids, shells and faces
+  std::vector<CadPart> solids{}, shells{}, faces{};
   std::vector<ListedNet> nets{};
 };
 

@@ -148,8 +148,7 @@ ExitCode indentation(const IndentationArguments& arguments) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& result : arguments.results)
     files.push_back(results.emplace_back(result).file());
-  if (arguments.json && arguments.outputs.printsData())
-    throw Error("--json: it and the curves of --csv - would be printed together; expected one of them");
+  requirePrintedAlone(arguments.json, arguments.outputs);
   if (!arguments.outputs.picture.empty() || !arguments.outputs.csv.empty())
     checkOutputs(arguments.outputs, files);
   checkLabels(arguments.chart, results.size(), results.size(), "results");
@@ -173,8 +172,7 @@ ExitCode indentation(const IndentationArguments& arguments) {
     Chart chart =
         emptyChart(arguments.chart, withUnit("Depth h", units.length), withUnit("Force P", units.force));
     chart.curves = curves;
-    makeDirectoryOf(arguments.outputs.picture);
-    drawChart(chart, arguments.outputs.picture);
+    writePicture(chart, arguments.outputs);
   }
   if (arguments.outputs.printsData()) {
     printText(curvesCsv(curves, withUnit("depth", units.length), withUnit("force", units.force)));
@@ -183,6 +181,7 @@ ExitCode indentation(const IndentationArguments& arguments) {
   if (!arguments.outputs.csv.empty())
     writeText(curvesCsv(curves, withUnit("depth", units.length), withUnit("force", units.force)),
               arguments.outputs.csv);
+  if (arguments.outputs.printsPicture()) return ExitCode::Fine;
   std::string text;
   Json::Value list(Json::arrayValue);
   for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -208,8 +207,8 @@ void addIndentationCommand(CLI::App& app, Action& action) {
   addDrawingOptions(*command, arguments->chart, "directory");
   command->add_option("--csv", arguments->outputs.csv, "Write the curves to this file too, or print them: -")
       ->type_name("FILE.csv|-");
-  command->add_option("-o,--output", arguments->outputs.picture, "Name of a chart of force over depth")
-      ->type_name("CHART.png|svg|pdf");
+  command->add_option("-o,--output", arguments->outputs.picture, "Name of a chart of force over depth; - for a PNG on standard output")
+      ->type_name("CHART.png|svg|pdf|-");
   command->callback([&action, arguments] { action = [arguments] { return indentation(*arguments); }; });
 }
 

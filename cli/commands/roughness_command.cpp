@@ -17,6 +17,7 @@
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
+#include "cli/output_target.h"
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
@@ -303,8 +304,10 @@ void drawMap(const RoughnessArguments& arguments, const ResultReader& result, co
   options.undeformed = false;
   options.lengthAxes = true;
   if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
-  makeDirectoryOf(arguments.outputs.picture);
-  drawContour(map.model, map.frame, options, arguments.outputs.picture);
+  const OutputTarget target(arguments.outputs.picture, ".png");
+  makeDirectoryOf(target.file());
+  drawContour(map.model, map.frame, options, target.file());
+  target.finish();
 }
 
 ExitCode roughness(const RoughnessArguments& arguments) {
@@ -327,8 +330,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
   if (!spec.line.empty() &&
       std::ranges::none_of(sources, [](const RoughnessSource& one) { return one.result.has_value(); }))
     throw Error("--line: found measured profiles alone; expected a run in space beside them");
-  if (arguments.json && arguments.outputs.printsData())
-    throw Error("--json: it and the profiles of --csv - would be printed together; expected one of them");
+  requirePrintedAlone(arguments.json, arguments.outputs);
   const bool draws = !arguments.outputs.picture.empty() || !arguments.outputs.csv.empty();
   if (draws) checkOutputs(arguments.outputs, files);
   const bool named = sources.size() > 1 || !arguments.chart.labels.empty();
@@ -349,8 +351,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
         arguments.chart, withUnit(spec.face.empty() ? "Distance" : "Distance along face " + spec.face, unit),
         withUnit(spec.cutoff ? "Height of roughness" : "Height about the mean line", unit));
     chart.curves = curves;
-    makeDirectoryOf(arguments.outputs.picture);
-    drawChart(chart, arguments.outputs.picture);
+    writePicture(chart, arguments.outputs);
   }
   const auto data = [&] {
     return isArea ? mapOf(rows, unit, named)
@@ -360,7 +361,7 @@ ExitCode roughness(const RoughnessArguments& arguments) {
     writeText(data(), arguments.outputs.csv);
   if (arguments.outputs.printsData())
     printText(data());
-  else
+  else if (!arguments.outputs.printsPicture())
     printText(arguments.json ? jsonOf(rows, isArea, unit) : tableOf(rows, isArea, unit, named));
   return ExitCode::Fine;
 }
@@ -390,8 +391,8 @@ void addRoughnessCommand(CLI::App& app, Action& action) {
       ->type_name("FILE.csv|-");
   command
       ->add_option("-o,--output", arguments->outputs.picture,
-                   "Name of a chart of the profiles, or of a map of an area")
-      ->type_name("PICTURE.png|svg|pdf");
+                   "Name of a chart of the profiles, or of a map of an area; - for a PNG on standard output")
+      ->type_name("PICTURE.png|svg|pdf|-");
   command->callback([&action, arguments] { action = [arguments] { return roughness(*arguments); }; });
 }
 

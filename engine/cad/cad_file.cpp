@@ -103,6 +103,7 @@ void sendListing(const CadListing& listing, const TakeBytes& take) {
   send(listing.fileUnit, take);
   send(static_cast<std::int64_t>(listing.unit), take);
   sendParts(listing.solids, take);
+  sendParts(listing.shells, take);
   sendParts(listing.faces, take);
 }
 
@@ -111,6 +112,7 @@ CadListing receiveListing(const FillBytes& fill) {
   listing.fileUnit = receiveText(fill);
   listing.unit = static_cast<LengthUnit>(receiveNumber(fill));
   listing.solids = receiveParts(fill);
+  listing.shells = receiveParts(fill);
   listing.faces = receiveParts(fill);
   return listing;
 }

@@ -31,8 +31,8 @@ struct CadBody {
 /// What of a file is read, and how.
 struct CadRequest {
   std::string file{};
-  std::string face{},
-      solid{};  ///< name or number from 1; at most one of the two, all of the file when both are empty
+  std::string face{}, solid{},
+      shell{};  ///< name or number from 1; at most one of the three, all of the file when all are empty
   LengthUnit unit = LengthUnit::Millimetre;  ///< into which lengths are converted
   std::optional<double>
       tolerance{};            ///< of the mesh, in that unit; a 1000th of the largest extent when left out
@@ -47,13 +47,13 @@ struct CadSurface {
   Eigen::Matrix3Xi cells;    ///< corners counterclockwise seen from outside
 };
 
-/// A face or a solid of a file as `CadListing` has it. box: corners in the unit of the listing.
+/// A face, a shell or a solid of a file as `CadListing` has it. box: corners in the unit of the listing.
 struct CadPart {
   std::string name{};  ///< may be empty, or that of another part, too
   Eigen::AlignedBox3d box{};
   bool isExact = false;  ///< a face: its edges are the ends of its surface
-  int solid = 0;         ///< of a face: number of the solid that it bounds; 0: of none
-  int faces = 0;         ///< of a solid
+  int solid = 0;         ///< of a face or a shell: number of the solid that it bounds; 0: of none
+  int faces = 0;         ///< of a solid or a shell
 };
 
 /// What is in a file, in its order: numbers of parts count from 1.
@@ -61,13 +61,13 @@ struct CadListing {
   std::string fileUnit{};  ///< as the file names it; empty if it does not
   LengthUnit unit =
       LengthUnit::Millimetre;  ///< of the boxes: that of the file, millimetres if it is none of ours
-  std::vector<CadPart> solids{}, faces{};
+  std::vector<CadPart> solids{}, shells{}, faces{};
 };
 
 /// Whether a file has one of the endings of STEP and IGES, in letters of any case.
 bool isCadFile(const std::filesystem::path& file);
 
-/// Reads in a process of its own: OpenCASCADE ends its process on some damaged files. Throws `KeyError`, with the key `file`, `face` or
+/// Reads in a process of its own: OpenCASCADE ends its process on some damaged files. Throws `KeyError`, with the key `file`, `face`, `shell` or
 /// `solid` at fault, if the file cannot be read or does not hold what is asked for, and `Error` without OpenCASCADE.
 CadSurface readCad(const CadRequest& request);
 

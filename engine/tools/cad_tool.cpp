@@ -82,13 +82,18 @@ RigidShape CadTool::made() const {
   try {
     requireFile(file, "STEP or IGES model");
     CadSurface surface =
-        readCad({file, face, solid, unit, tolerance ? std::optional(*tolerance / scale) : std::nullopt});
+        readCad({.file = file,
+                 .face = face,
+                 .solid = solid,
+                 .shell = shell,
+                 .unit = unit,
+                 .tolerance = tolerance ? std::optional(*tolerance / scale) : std::nullopt});
     if (surface.exact) return exactShape(*surface.exact, scale);
     return facetedShape(std::move(surface), scale, open, smoothing);
   } catch (const KeyError&) {
     throw;
   } catch (const Error& error) {
-    const char* key = !face.empty() ? "face" : !solid.empty() ? "solid" : "file";
+    const char* key = !face.empty() ? "face" : !shell.empty() ? "shell" : !solid.empty() ? "solid" : "file";
     throw KeyError(key, std::string(error.what()).starts_with(file)
                             ? error.what()
                             : fmt::format("{}: {}", file, error.what()));
@@ -96,9 +101,15 @@ RigidShape CadTool::made() const {
 }
 
 void check(const CadTool& tool, const ShapeProblems& problems) {
-  if (!tool.face.empty() && !tool.solid.empty() && problems.clean("face") && problems.clean("solid"))
-    problems.report("solid",
-                    "found solid beside face; allowed: one of the two, or none for all of the file.");
+  const char* first = nullptr;
+  for (const auto& [key, wanted] : {std::pair{"face", &tool.face}, {"shell", &tool.shell}, {"solid", &tool.solid}}) {
+    if (wanted->empty() || !problems.clean(key)) continue;
+    if (first)
+      problems.report(key, fmt::format("found {} beside {}; allowed: one of face, shell and solid, or none for "
+                                       "all of the file.",
+                                       key, first));
+    first = key;
+  }
 }
 
 }  // namespace burnish::inline tools

@@ -11,14 +11,15 @@ namespace burnish::inline tools {
 
 class ShapeProblems;
 
-/// A face, a solid or all of a CAD file as a scene gives it: an exact NURBS surface if it is a single face without trimming
+/// A face, a shell, a solid or all of a CAD file as a scene gives it: an exact NURBS surface if it is a single face without trimming
 /// curves, else triangles.
 struct CadTool {
-  static constexpr ShapeKind kind{"cad", "A face, a solid or all of a STEP or IGES file (3D).",
+  static constexpr ShapeKind kind{"cad", "A face, a shell, a solid or all of a STEP or IGES file (3D).",
                                   ForBodies::Spatial, ShapeFile::Read};
 
   std::string file;  ///< absolute when the scene has been read
   std::string face;
+  std::string shell;
   std::string solid;
   LengthUnit unit = LengthUnit::Millimetre;
   double scale = 1.0;
@@ -38,8 +39,10 @@ void describe(Visitor& v, CadTool& s) {
       "face", s.face, {},
       "Name of a face, or its number from 1 in the order of the file. One that is not trimmed is an exact NURBS "
       "surface; the tool is behind it.");
+  v.field("shell", s.shell, {},
+          "Name of a shell, faces that hang together, or its number from 1; solids have shells, too.");
   v.field("solid", s.solid, {},
-          "Name of a solid, or its number from 1. Without face and solid the tool is all of the file.");
+          "Name of a solid, or its number from 1. Without face, shell and solid the tool is all of the file.");
   v.field(
       "unit", s.unit, {},
       "Unit of the scene's lengths, that of units unless it is said here: those of the file, which says its own "

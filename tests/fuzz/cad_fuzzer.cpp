@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   burnish::CadTool tool;
   tool.file = files[data[0] % files.size()].hold(data + 2, size - 2).string();
   if ((data[1] & 1U) != 0) tool.face = "1";
-  if ((data[1] & 2U) != 0 && tool.face.empty()) tool.solid = "1";
+  if ((data[1] & 2U) != 0 && tool.face.empty()) ((data[1] & 16U) != 0 ? tool.shell : tool.solid) = "1";
   tool.open = (data[1] & 4U) != 0;
   if ((data[1] & 8U) != 0) tool.smoothing = 0.1;
   try {

@@ -86,7 +86,7 @@ Model modelOf(const std::string& file) {
   return model;
 }
 
-/// The names that a file gives to its faces and solids.
+/// The names that a file gives to its faces, shells and solids.
 std::map<const TopoDS_TShape*, std::string> namesOf(const Model& model) {
   std::map<const TopoDS_TShape*, std::string> names;
   const Handle(Transfer_TransientProcess) process = model.reader->WS()->TransferReader()->TransientProcess();
@@ -266,6 +266,7 @@ void readSurface(const CadRequest& request, CadSurface& surface) {
   const Model model = modelOf(request.file);
   TopoDS_Shape shape = model.shape;
   if (!request.face.empty()) shape = partOf(model, TopAbs_FACE, "face", request.face);
+  if (!request.shell.empty()) shape = partOf(model, TopAbs_SHELL, "shell", request.shell);
   if (!request.solid.empty()) shape = partOf(model, TopAbs_SOLID, "solid", request.solid);
   const auto faces = facesOf(shape);
   if (faces.empty()) throw Error("found no face in the file; allowed: faces, shells or solids");
@@ -320,17 +321,23 @@ void listParts(const std::string& file, CadListing& listing) {
     const auto name = nameOf.find(shape.TShape().get());
     return CadPart{.name = name == nameOf.end() ? "" : name->second, .box = boxOf(shape, scale)};
   };
-  TopTools_IndexedMapOfShape solids;
+  TopTools_IndexedMapOfShape solids, shells, faces;
   TopExp::MapShapes(model.shape, TopAbs_SOLID, solids);
-  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(model.shape, TopAbs_SHELL, shells);
   TopExp::MapShapes(model.shape, TopAbs_FACE, faces);
   for (int k = 1; k <= faces.Extent(); ++k) {
     const TopoDS_Face face = TopoDS::Face(faces(k));
     listing.faces.push_back(partAt(face));
     listing.faces.back().isExact = isUntrimmed(face, boundsOf(face));
   }
+  for (int k = 1; k <= shells.Extent(); ++k) {
+    listing.shells.push_back(partAt(shells(k)));
+    listing.shells.back().faces = static_cast<int>(facesOf(shells(k)).size());
+  }
   for (int k = 1; k <= solids.Extent(); ++k) {
     listing.solids.push_back(partAt(solids(k)));
+    for (TopExp_Explorer shell(solids(k), TopAbs_SHELL); shell.More(); shell.Next())
+      listing.shells[static_cast<std::size_t>(shells.FindIndex(shell.Current())) - 1].solid = k;
     for (const TopoDS_Face& face : facesOf(solids(k))) {
       ++listing.solids.back().faces;
       listing.faces[static_cast<std::size_t>(faces.FindIndex(face)) - 1].solid = k;

@@ -14,6 +14,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -184,6 +185,48 @@ TEST_F(Cad, AFaceIsChosenByNumberAndASolidByNumber) {
               HasSubstr("two.step: found no face 8; allowed: a number from 1 to 7"));
   EXPECT_THAT(errorOf(toolOf(file, [](CadTool& tool) { tool.solid = "punch"; })),
               HasSubstr("two.step: found no solid punch; allowed: a number from 1 to 2"));
+}
+
+TEST_F(Cad, AShellIsChosenByNumber) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 3.0, 3.0, 3.0).Shape(),
+                                   BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), 1.0, 1.0, 1.0).Shape())
+                       .Shape());
+  TopoDS_Shell corner;
+  builder.MakeShell(corner);
+  int taken = 0;
+  for (TopExp_Explorer face(BRepPrimAPI_MakeBox(gp_Pnt(9, 0, 0), 1.0, 1.0, 1.0).Solid(), TopAbs_FACE);
+       face.More() && taken < 3; face.Next(), taken += 1)
+    if (taken != 1) builder.Add(corner, face.Current());
+  builder.Add(all, corner);
+  const std::string file = step("shells.step", all);
+
+  const CadListing listing = listCad(file);
+  ASSERT_EQ(listing.shells.size(), 3U);
+  EXPECT_EQ(listing.shells[0].solid, 1);
+  EXPECT_EQ(listing.shells[0].faces, 6);
+  EXPECT_EQ(listing.shells[1].solid, 1);
+  EXPECT_LT((listing.shells[1].box.max() - Vector3d(2, 2, 2)).norm(), 1e-6) << "around the void";
+  EXPECT_EQ(listing.shells[2].solid, 0);
+  EXPECT_EQ(listing.shells[2].faces, 2);
+
+  const auto outer = toolOf(file, [](CadTool& tool) {
+                       tool.shell = "1";
+                       tool.smoothing = 0.05;
+                     }).made();
+  EXPECT_NEAR(outer.query({1.5, 1.5, 3.5}).gap, 0.5, 1e-6);
+  EXPECT_NEAR(outer.query({1.5, 1.5, 2.5}).gap, -0.5, 1e-6) << "filled: the void is another shell";
+  EXPECT_LT(outer.query({1.5, 1.5, 1.5}).gap, -1.0);
+  const auto ends = toolOf(file, [](CadTool& tool) {
+                      tool.shell = "3";
+                      tool.open = true;
+                      tool.smoothing = 0.05;
+                    }).made();
+  EXPECT_NEAR(ends.query({8.5, 0.5, 0.5}).gap, 0.5, 1e-6);
+  EXPECT_THAT(errorOf(toolOf(file, [](CadTool& tool) { tool.shell = "4"; })),
+              HasSubstr("shells.step: found no shell 4; allowed: a number from 1 to 3"));
 }
 
 TEST_F(Cad, ATrimmedFaceIsMeshedAndMustBeAllowedARim) {

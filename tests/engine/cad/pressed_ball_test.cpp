@@ -75,6 +75,9 @@ TEST(PressedBall, FaultsAreThoseOfTheKeyThatIsToBlame) {
   EXPECT_THAT(errorOf("shape: cad, file: ball.step, face: top"),
               HasSubstr("scene.yaml:4:57: tools[0].face: "));
   EXPECT_THAT(errorOf("shape: cad, file: ball.step, solid: 2"), HasSubstr("tools[0].solid: "));
+  EXPECT_THAT(errorOf("shape: cad, file: ball.step, shell: none"), HasSubstr("tools[0].shell: "));
+  EXPECT_THAT(errorOf("shape: cad, file: ball.step, face: 1, shell: 1"),
+              HasSubstr("tools[0].shell: found shell beside face; allowed: one of face, shell and solid"));
   EXPECT_THAT(errorOf("shape: union, parts: [{shape: cad, file: ball.step, face: top}]"),
               HasSubstr("tools[0].parts[0].face: "));
 }
