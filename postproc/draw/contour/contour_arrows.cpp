@@ -25,7 +25,7 @@ namespace burnish {
 namespace {
 
 // Parts of the longest arrow.
-constexpr double kDisplacementGap = 0.75, kTractionGap = 0.3;
+constexpr double kArrowGap = 0.75, kTractionGap = 0.3;
 constexpr double kShortest = 0.18;  // nothing is drawn below
 constexpr double kCrossGap = 0.95, kCrossHead = 0.75;
 constexpr double kHead = 0.3, kHeadHalfWidth = 0.12, kShaftHalfWidth = 0.035;
@@ -55,11 +55,11 @@ std::vector<vtkIdType> facingPoints(vtkPolyData& body, const View& view) {
   return result;
 }
 
-VectorPoints displacements(vtkPolyData& body, const View& view) {
-  vtkDataArray& u = *body.GetPointData()->GetArray("displacement");
+VectorPoints vectorsOn(vtkPolyData& surface, const View& view) {
+  vtkDataArray& vectors = *surface.GetPointData()->GetArray("vectors");
   VectorPoints result;
-  for (const vtkIdType k : facingPoints(body, view))
-    result.add(Eigen::Map<const Eigen::Vector3d>(body.GetPoint(k)), tuple(u, k));
+  for (const vtkIdType k : facingPoints(surface, view))
+    result.add(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k)), tuple(vectors, k));
   return result;
 }
 
@@ -82,18 +82,6 @@ Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(vtkPolyData& body, vtkI
     tensor(plane.axis, plane.axis) = across;
   }
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tensor.topLeftCorner(dim, dim));
-}
-
-VectorPoints tractions(const ModelRecord& model, const FrameRecord& frame) {
-  VectorPoints result;
-  for (const ContactName& contact : contactsOf(frame)) {
-    const auto surface = contactSurface(model, frame, contact);
-    vtkDataArray& traction =
-        *surface->GetPointData()->GetArray(labelled("traction", model.stressUnit).c_str());
-    for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
-      result.add(Eigen::Map<const Eigen::Vector3d>(surface->GetPoint(k)), tuple(traction, k));
-  }
-  return result;
 }
 
 /// Whether points of a body in space can be seen, or something stands before them.
@@ -241,27 +229,29 @@ void addCurvedArrow(PolyBuilder& areas, PolyBuilder& edges, const Eigen::Matrix3
   edges.addLine(edges.addPoints(round));
 }
 
-ContourArrows curvedArrows(const ModelRecord& model, vtkPolyData& body, const View& view, double longest) {
+ContourArrows curvedArrows(const ArrowGround& ground, const View& view, double longest) {
   constexpr double kApart = 0.4;  // in longest arrows
+  vtkPolyData& body = *ground.surface;
   vtkDataArray* normals = body.GetPointData()->GetNormals();
   const Eigen::Vector3d normal =
       normals && body.GetNumberOfPoints() > 0 ? tuple(*normals, 0) : view.towardsEye();
   std::vector<Eigen::Vector3d> points, seeds;
   double largest = 0.0;
-  vtkDataArray& u = *body.GetPointData()->GetArray("displacement");
+  vtkDataArray& vectors = *body.GetPointData()->GetArray("vectors");
   for (vtkIdType k = 0; k < body.GetNumberOfPoints(); ++k) {
     points.emplace_back(body.GetPoint(k));
-    largest = std::max(largest, tuple(u, k).norm());
+    largest = std::max(largest, tuple(vectors, k).norm());
   }
   for (const std::size_t k : thinned(points, view, kApart * longest, false, [](const auto&) { return true; }))
     seeds.push_back(points[k]);
   const std::vector<Eigen::Matrix3Xd> lines = evenStreamlines(body, normal, seeds, kApart * longest);
-  if (lines.empty()) return {nullptr, nullptr, "no displacement", nullptr, nullptr};
+  if (lines.empty()) return {nullptr, nullptr, fmt::format("no {}", ground.name), nullptr, nullptr};
   PolyBuilder areas, edges;
   for (const Eigen::Matrix3Xd& line : lines) addCurvedArrow(areas, edges, line, normal, longest);
   return {areas.finish(), edges.finish(),
-          fmt::format("streamlines of the displacement, {}", upTo(largest, model.lengthUnit)), nullptr,
-          nullptr};
+          fmt::format("streamlines of {}{}, {}", ground.name == "displacement" ? "the " : "", ground.name,
+                      upTo(largest, ground.unit)),
+          nullptr, nullptr};
 }
 
 /// The largest of some sizes: in space of those that are drawn, as others may lie on sides that are not seen.
@@ -275,26 +265,27 @@ double largestOf(const std::vector<double>& sizes, const std::vector<std::size_t
   return largest;
 }
 
-ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& view, const Sight& sight,
-                      double longest, const std::vector<MirrorPlane>& symmetries) {
+ContourArrows crosses(const ArrowGround& ground, const View& view, const Sight& sight, double longest,
+                      const std::vector<MirrorPlane>& symmetries) {
+  vtkPolyData& body = *ground.surface;
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>> solutions;
   std::vector<double> sizes;
   for (const vtkIdType k : facingPoints(body, view)) {
     points.emplace_back(body.GetPoint(k));
-    solutions.push_back(principal(body, k, model.dim, symmetries));
+    solutions.push_back(principal(body, k, ground.dim, symmetries));
     sizes.push_back(solutions.back().eigenvalues().cwiseAbs().maxCoeff());
   }
   const std::vector<std::size_t> drawn = thinned(points, view, kCrossGap * longest, false,
                                                  [&](const Eigen::Vector3d& x) { return sight.sees(x); });
-  const double largest = largestOf(sizes, drawn, model.dim);
-  if (largest == 0.0) return {nullptr, nullptr, "no stress", nullptr, nullptr};
+  const double largest = largestOf(sizes, drawn, ground.dim);
+  if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", ground.name), nullptr, nullptr};
   PolyBuilder areas, edges, darkAreas, darkEdges;
   for (const std::size_t k : drawn)
-    for (Eigen::Index d = 0; d < model.dim; ++d) {
+    for (Eigen::Index d = 0; d < ground.dim; ++d) {
       const double value = solutions[k].eigenvalues()(d);
       Eigen::Vector3d along = Eigen::Vector3d::Zero();
-      along.head(model.dim) =
+      along.head(ground.dim) =
           solutions[k].eigenvectors().col(d) * (0.5 * longest * std::abs(value) / largest);
       const Eigen::Vector3d side = view.towardsEye(points[k]).cross(along);
       if (side.norm() < 0.5 * kShortest * longest) continue;
@@ -307,30 +298,52 @@ ContourArrows crosses(const ModelRecord& model, vtkPolyData& body, const View& v
       }
     }
   return {areas.finish(), edges.finish(),
-          fmt::format("crosses: principal stresses, {}; white: tension, black: compression",
-                      upTo(largest, model.stressUnit)),
+          ground.name == "stress"
+              ? fmt::format("crosses: principal stresses, {}; white: tension, black: compression",
+                            upTo(largest, ground.unit))
+              : fmt::format("crosses: principal values of {}, {}; white: positive, black: negative",
+                            ground.name, upTo(largest, ground.unit)),
           darkAreas.finish(), darkEdges.finish()};
 }
 
 }  // namespace
 
-ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const FrameRecord& frame,
-                            vtkPolyData& body, vtkPolyData* before, const View& view, double longest,
-                            const std::vector<MirrorPlane>& symmetries) {
+ArrowGround tractionGround(const ModelRecord& model, const FrameRecord& frame) {
+  PolyBuilder places;
+  std::vector<Eigen::Vector3d> tractions;
+  for (const ContactName& contact : contactsOf(frame)) {
+    const auto surface = contactSurface(model, frame, contact);
+    vtkDataArray& traction =
+        *surface->GetPointData()->GetArray(labelled("traction", model.stressUnit).c_str());
+    Eigen::Matrix3Xd points(3, surface->GetNumberOfPoints());
+    for (vtkIdType k = 0; k < points.cols(); ++k) {
+      surface->GetPoint(k, points.col(k).data());
+      tractions.push_back(tuple(traction, k));
+    }
+    places.addPoints(points);
+  }
+  Eigen::Matrix3Xd vectors(3, std::ssize(tractions));
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k) vectors.col(k) = tractions[static_cast<std::size_t>(k)];
+  ArrowGround ground{model.dim, places.finish(), "contact traction", model.stressUnit};
+  ground.surface->GetPointData()->AddArray(makeArray("vectors", vectors, kAxes));
+  return ground;
+}
+
+ContourArrows contourArrows(ArrowField field, const ArrowGround& ground, vtkPolyData* before,
+                            const View& view, double longest, const std::vector<MirrorPlane>& symmetries) {
   if (field == ArrowField::None) return {};
   const Sight sight(field == ArrowField::Traction ? nullptr : before, view);
-  if (field == ArrowField::Streamlines) return curvedArrows(model, body, view, longest);
-  if (field == ArrowField::Principal) return crosses(model, body, view, sight, longest, symmetries);
+  if (field == ArrowField::Streamlines) return curvedArrows(ground, view, longest);
+  if (field == ArrowField::Principal) return crosses(ground, view, sight, longest, symmetries);
   const bool traction = field == ArrowField::Traction;
-  const VectorPoints all = traction ? tractions(model, frame) : displacements(body, view);
+  const VectorPoints all = vectorsOn(*ground.surface, view);
   std::vector<double> sizes;
   for (const Eigen::Vector3d& vector : all.vectors) sizes.push_back(vector.norm());
   const std::vector<std::size_t> drawn =
-      thinned(all.points, view, longest * (traction ? kTractionGap : kDisplacementGap), traction,
+      thinned(all.points, view, longest * (traction ? kTractionGap : kArrowGap), traction,
               [&](const Eigen::Vector3d& x) { return sight.sees(x); });
-  const double largest = largestOf(sizes, drawn, model.dim);
-  const std::string name = traction ? "contact traction" : "displacement";
-  if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", name), nullptr, nullptr};
+  const double largest = largestOf(sizes, drawn, ground.dim);
+  if (largest == 0.0) return {nullptr, nullptr, fmt::format("no {}", ground.name), nullptr, nullptr};
 
   PolyBuilder areas, edges;
   for (const std::size_t k : drawn) {
@@ -340,9 +353,8 @@ ContourArrows contourArrows(ArrowField field, const ModelRecord& model, const Fr
     addArrow(areas, edges, all.points[k] + (traction ? Eigen::Vector3d::Zero().eval() : along), along,
              side.normalized(), longest);
   }
-  const std::string& unit = traction ? model.stressUnit : model.lengthUnit;
-  return {areas.finish(), edges.finish(), fmt::format("arrows: {}, {}", name, upTo(largest, unit)), nullptr,
-          nullptr};
+  return {areas.finish(), edges.finish(),
+          fmt::format("arrows: {}, {}", ground.name, upTo(largest, ground.unit)), nullptr, nullptr};
 }
 
 }  // namespace burnish

@@ -71,8 +71,9 @@ void setValues(vtkPointData& points, const Mesh& mesh, const FrameRecord& frame,
                const ContourOptions& options) {
   points.SetScalars(
       makeArray("drawn", field.drawnScalars(mesh.evaluate(field.coefficients)).transpose(), {}));
-  if (options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Streamlines)
-    points.AddArray(makeArray("displacement", inSpace(mesh.evaluate(frame.displacement)), kAxes));
+  if (options.arrows == ArrowField::Displacement || options.arrows == ArrowField::Field ||
+      options.arrows == ArrowField::Streamlines)
+    points.AddArray(makeArray("vectors", inSpace(mesh.evaluate(frame.displacement)), kAxes));
   if (options.arrows == ArrowField::Principal)
     points.AddArray(makeArray("stress", stressAt(mesh, frame), {}));
 }
@@ -258,8 +259,8 @@ vtkSmartPointer<vtkPolyData> undeformedOutline(const ModelRecord& model, const M
   return outline;
 }
 
-/// What arrows of displacements stand on: equally many points per knot span, whatever the picture takes.
-vtkSmartPointer<vtkPolyData> arrowGround(const ContourParts& parts, const MeshRecord& mesh,
+/// What arrows of the body's fields stand on: equally many points per knot span, whatever the picture takes.
+vtkSmartPointer<vtkPolyData> arrowSurface(const ContourParts& parts, const MeshRecord& mesh,
                                          const ModelRecord& model, const FrameRecord& frame,
                                          const FieldChoice& field, const ContourOptions& options) {
   if (options.arrows == ArrowField::Traction || model.dim == 2 || options.slice || field.faces)
@@ -268,14 +269,6 @@ vtkSmartPointer<vtkPolyData> arrowGround(const ContourParts& parts, const MeshRe
   auto ground = surface.displaced(parts.displacement);
   setValues(*ground->GetPointData(), surface, frame, field, options);
   return options.cut ? together(*behind(*ground, *parts.plane), *parts.section) : ground;
-}
-
-/// All of the bodies that may hide something.
-vtkSmartPointer<vtkPolyData> hidingParts(const ContourParts& parts) {
-  auto all = parts.body;
-  for (const auto& part : {parts.section, parts.plain, parts.plainSection})
-    if (part) all = together(*all, *part);
-  return all;
 }
 
 std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& frame, double warp) {
@@ -288,13 +281,6 @@ std::vector<ShownTool> shownTools(const ModelRecord& model, const FrameRecord& f
       tools.back().turn = warp * frame.toolAngle(tool);
   }
   return tools;
-}
-
-/// Parts of what is seen, so that it is the same for a body and for a part of it.
-double arrowLength(vtkPolyData& body, const View& sight, const ContourOptions& options) {
-  Eigen::AlignedBox2d box = boxOf(body, sight.axes, sight.eye);
-  if (options.window && options.window->intersects(box)) box = options.window->intersection(box);
-  return kArrowLength * box.diagonal().norm();
 }
 
 Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double part) {
@@ -400,6 +386,21 @@ Error planeMisses(const ContourOptions& options, const ContourParts& parts, int 
                   fmt::join(box.max().begin(), box.max().end(), ", ")));
 }
 
+void addArrows(ContourParts& parts, const ArrowGround& ground, vtkPolyData& shown,
+               const ContourOptions& options) {
+  const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};
+  vtkSmartPointer<vtkPolyData> before;
+  if (ground.dim == 3 && !options.slice) {
+    before = parts.body;
+    for (const auto& part : {parts.section, parts.plain, parts.plainSection})
+      if (part) before = together(*before, *part);
+  }
+  Eigen::AlignedBox2d box = boxOf(shown, sight.axes, sight.eye);
+  if (options.window && options.window->intersects(box)) box = options.window->intersection(box);
+  parts.arrows = contourArrows(options.arrows, ground, before, sight, kArrowLength * box.diagonal().norm(),
+                               options.mirror);
+}
+
 int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
   return options.subdivision.value_or(model.subdivision);
 }
@@ -451,11 +452,14 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
         "cut: the eye is so near that it sees the plane from behind; choose another direction for the eye, or a "
         "smaller angle of perspective");
   if (options.arrows != ArrowField::None) {
-    const auto ground = arrowGround(parts, meshes.with(), model, frame, field, options);
-    const View sight{.axes = parts.axes, .area = {}, .eye = parts.eye};
-    const auto before = model.dim == 3 && !options.slice ? hidingParts(parts) : nullptr;
-    parts.arrows = contourArrows(options.arrows, model, frame, *ground, before, sight,
-                                 arrowLength(*ground, sight, options), options.mirror);
+    const auto surface = arrowSurface(parts, meshes.with(), model, frame, field, options);
+    const bool isStress = options.arrows == ArrowField::Principal;
+    addArrows(parts,
+              options.arrows == ArrowField::Traction
+                  ? tractionGround(model, frame)
+                  : ArrowGround{model.dim, surface, isStress ? "stress" : "displacement",
+                                isStress ? model.stressUnit : model.lengthUnit},
+              *surface, options);
   }
   parts.mark = options.mark;
   if (options.markExtremes) parts.extremes = extremesOf(parts, model, frame, field, options);

@@ -56,6 +56,11 @@ struct ContourParts {
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                           const ContourOptions& options);
 
+/// Gives parts that are complete but for these their arrows. shown: what of the body is seen, of which the arrows are parts
+/// in length, so that they are as long for a body as for a part of it.
+void addArrows(ContourParts& parts, const ArrowGround& ground, vtkPolyData& shown,
+               const ContourOptions& options);
+
 /// The plane of a cut or a slice with its normal to the eye; one in a face of the body has a section on its
 /// inner side alone, and is moved there. Throws `Error` for a plane that is seen edge-on.
 CutPlane shownPlane(const ContourOptions& options, const ContourParts& parts);

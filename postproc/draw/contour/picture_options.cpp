@@ -137,6 +137,11 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
         {"cut_face", "found hatch, but there is no section beside the body that has the field: add cut."});
   if (options.hiddenLines != HiddenLines::Off && dim == 2)
     problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
+  if (options.arrows == ArrowField::Field && !options.ofOthers && options.field != "displacement" &&
+      !options.field.starts_with("displacement."))
+    problems.push_back(
+        {"vectors", fmt::format("found field, and {} has no direction; allowed beside displacement alone.",
+                                options.field.empty() ? "no field" : options.field)});
   if (options.arrows == ArrowField::Streamlines && dim == 3 && !options.slice)
     problems.push_back({"vectors", "found streamlines, which are drawn in a plane: add slice."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)

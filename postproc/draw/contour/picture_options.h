@@ -22,12 +22,13 @@
 /// that tests it.
 namespace burnish {
 
-/// What the arrows of a picture show: displacements on the body, what tools do to its contact faces, or crosses of
-/// the principal stresses.
-enum class ArrowField { None, Displacement, Traction, Principal, Streamlines };
+/// What the arrows of a picture show: displacements on the body, the field that is drawn, what tools do to its contact
+/// faces, or crosses of the principal stresses.
+enum class ArrowField { None, Displacement, Field, Traction, Principal, Streamlines };
 
 constexpr auto enumNames(std::type_identity<ArrowField>) {
   return std::array{std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
+                    std::pair{"field", ArrowField::Field},
                     std::pair{"traction", ArrowField::Traction},
                     std::pair{"principal", ArrowField::Principal},
                     std::pair{"streamlines", ArrowField::Streamlines}};
@@ -240,8 +241,8 @@ void describeParts(Visitor& v, PictureOptions& s) {
   describeBodies(v, s);
   v.field(
       "vectors", s.arrows, {},
-      "Draw arrows: displacement, or traction, what tools do to the body where they touch it; or crosses of "
-      "the principal stresses; or lines along the displacement.");
+      "Draw arrows: displacement, the field that is drawn if it is a vector, or traction, what tools do to the "
+      "body where they touch it; or crosses of the principal stresses; or lines along the displacement.");
   v.field("mark_extremes", s.markExtremes, {}, "Mark where the field is smallest and where it is largest.");
   v.field("control_net", s.controlNet, {}, "Draw the control points and the lines between them.");
   v.field("scale_bar", s.scaleBar, {}, "Draw a line of a round length, which stands beside it.");

@@ -30,7 +30,7 @@ using Ways = std::array<Line, 2>;
 /// The surface with unit vectors where they are not slow, in the plane z = 0.
 vtkSmartPointer<vtkPolyData> flattened(vtkPolyData& surface, const Eigen::Matrix3d& toPlane) {
   constexpr double kSlowest = 0.01;
-  vtkDataArray& vectors = *surface.GetPointData()->GetArray("displacement");
+  vtkDataArray& vectors = *surface.GetPointData()->GetArray("vectors");
   const vtkIdType count = surface.GetNumberOfPoints();
   Eigen::Matrix3Xd x(3, count), along(3, count);
   for (vtkIdType k = 0; k < count; ++k) {

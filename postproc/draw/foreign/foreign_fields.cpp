@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -112,7 +115,31 @@ vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
   return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
 }
 
+/// Rows of the components of an array at points, the means of those with the same row. rowOf: of a component, if it has one.
+Eigen::MatrixXd componentsAt(const ForeignBlock& block, const ForeignField& field, Eigen::Index rows,
+                             const std::function<std::optional<std::size_t>(std::size_t)>& rowOf) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, block.grid->GetNumberOfPoints());
+  vtkDataArray* array = field.ofCells ? nullptr : arrayIn(block, field);
+  if (!array) return result;
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(rows);
+  for (std::size_t component = 0; component < field.components.size(); ++component) {
+    const auto row = rowOf(component);
+    if (!row) continue;
+    const auto at = static_cast<Eigen::Index>(*row);
+    counts(at) += 1.0;
+    for (Eigen::Index k = 0; k < result.cols(); ++k) {
+      const double value = array->GetComponent(k, static_cast<int>(component));
+      if (std::isfinite(value)) result(at, k) += value;
+    }
+  }
+  return counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * result;
+}
+
 }  // namespace
+
+bool ForeignField::isTensor() const {
+  return std::ranges::count(components, "xx") == 1 && std::ranges::count(components, "yy") == 1;
+}
 
 std::vector<ForeignField> foreignFieldsOf(const std::vector<ForeignBlock>& blocks) {
   std::vector<ForeignField> fields;
@@ -201,6 +228,28 @@ const ForeignField* displacementAmong(const std::vector<ForeignField>& fields) {
     for (const ForeignField& field : fields)
       if (!field.ofCells && field.isVector() && inLowerCase(field.name) == usual) return &field;
   return nullptr;
+}
+
+const ForeignField* stressAmong(const std::vector<ForeignField>& fields) {
+  for (const char* usual : {"stress", "cauchy_stress", "stresses", "s", "sigma"})
+    for (const ForeignField& field : fields)
+      if (!field.ofCells && field.isTensor() && inLowerCase(field.name) == usual) return &field;
+  return nullptr;
+}
+
+Eigen::MatrixXd vectorsAt(const ForeignBlock& block, const ForeignField& field) {
+  return componentsAt(block, field, 3, [](std::size_t component) { return std::optional(component); });
+}
+
+Eigen::MatrixXd tensorsAt(const ForeignBlock& block, const ForeignField& field) {
+  constexpr std::array<std::array<const char*, 2>, 6> kNames{
+      {{"xx", "xx"}, {"yy", "yy"}, {"zz", "zz"}, {"xy", "yx"}, {"yz", "zy"}, {"zx", "xz"}}};
+  const auto rowOf = [&](std::size_t component) -> std::optional<std::size_t> {
+    for (std::size_t row = 0; row < kNames.size(); ++row)
+      if (std::ranges::count(kNames[row], field.components[component]) > 0) return row;
+    return std::nullopt;
+  };
+  return componentsAt(block, field, std::ssize(kNames), rowOf);
 }
 
 }  // namespace burnish

@@ -20,6 +20,8 @@ struct ForeignField {
 
   /// Whether its length is meant by its name alone.
   bool isVector() const { return components.size() == 2 || components.size() == 3; }
+  /// Whether its components are called xx, yy, ...
+  bool isTensor() const;
 };
 
 /// All fields, those of points first.
@@ -61,5 +63,14 @@ std::string foreignFieldToShow(const std::vector<ForeignField>& fields);
 
 /// The vector of displacements by its usual names, at points, or null.
 const ForeignField* displacementAmong(const std::vector<ForeignField>& fields);
+
+/// The stress by its usual names, a tensor at points, or null.
+const ForeignField* stressAmong(const std::vector<ForeignField>& fields);
+
+/// A vector at the points of a block, 3 x points: zero where it is not finite, or the block does not have it.
+Eigen::MatrixXd vectorsAt(const ForeignBlock& block, const ForeignField& field);
+
+/// The same of the symmetric part of a tensor, 6 x points: xx, yy, zz, xy, yz, zx.
+Eigen::MatrixXd tensorsAt(const ForeignBlock& block, const ForeignField& field);
 
 }  // namespace burnish

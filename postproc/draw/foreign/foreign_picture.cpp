@@ -53,7 +53,7 @@ void requireForeign(const ForeignOptions& options, const std::filesystem::path& 
   };
   refuse(options.controlNet, "control_net", "only bodies of burnish have control points");
   refuse(options.subdivision.has_value(), "subdivision", "only bodies of burnish have knot spans");
-  refuse(options.arrows != ArrowField::None, "vectors", "only runs of burnish have arrows");
+  refuse(options.arrows == ArrowField::Traction, "vectors", "only runs of burnish have contact tractions");
   refuse(options.threshold && !options.threshold->field.empty(), "threshold",
          "files of other programs are parted by the field that is drawn alone: leave its name out");
   refuse(options.clip && options.field.empty(), "clip", "no field is drawn, whose colours it would end");
@@ -151,6 +151,7 @@ class SubjectMaker {
     if (options_.addedWarp != 0.0)
       subject.note = fmt::format("displacements × {:.6g} added", options_.addedWarp);
     if (!options_.field.empty()) choose(subject.field);
+    chooseArrows();
     const Cells cells = collect(subject);
     if (cells.with->GetNumberOfCells() + cells.without->GetNumberOfCells() == 0)
       throw Error(
@@ -207,6 +208,39 @@ class SubjectMaker {
     words = wordsOf(*choice_);
   }
 
+  /// The field that arrows show; none of a mesh before what was computed on it.
+  void chooseArrows() {
+    if (options_.arrows == ArrowField::None || (fields_.empty() && file_.times().size() > 1)) return;
+    const std::string file = file_.file().string();
+    const ForeignField* const own = choice_ && !choice_->field.ofCells ? &choice_->field : nullptr;
+    const bool isPrincipal = options_.arrows == ArrowField::Principal;
+    const ForeignField* shown = nullptr;
+    if (options_.arrows != ArrowField::Displacement && own && (isPrincipal ? own->isTensor() : own->isVector()))
+      shown = own;
+    if (!shown && options_.arrows == ArrowField::Field)
+      throw Error(fmt::format(
+          "vectors: found field, and {} is no vector at points; {} needs one for arrows along it",
+          options_.field.empty() ? "none" : options_.field, file));
+    if (!shown) shown = isPrincipal ? stressAmong(fields_) : displacementAmong(fields_);
+    if (!shown && isPrincipal)
+      throw Error(fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma at its points; "
+                              "draw a component of the tensor whose principal values are meant",
+                              file));
+    if (!shown)
+      throw Error(fmt::format("vectors: {} has no vector called displacement, displacements, disp, displ or u "
+                              "at its points; {} along the vector that is drawn",
+                              file, options_.arrows == ArrowField::Streamlines ? "streamlines go" : "field goes"));
+    arrows_ = *shown;
+  }
+
+  /// Gives the points of a grid what arrows show there.
+  void setVectors(vtkUnstructuredGrid& grid, const ForeignBlock& block) const {
+    if (!arrows_) return;
+    const bool isPrincipal = options_.arrows == ArrowField::Principal;
+    grid.GetPointData()->AddArray(isPrincipal ? makeArray("stress", tensorsAt(block, *arrows_), {})
+                                              : makeArray("vectors", vectorsAt(block, *arrows_), {}));
+  }
+
   Cells collect(ContourSubject& subject) {
     const ForeignField* displacement = displacementAmong(fields_);
     if (options_.addedWarp != 0.0 && displacement == nullptr && choice_)
@@ -220,6 +254,7 @@ class SubjectMaker {
         if (options_.undeformed) undeformed.push_back(bareGrid(block));
         if (displacement != nullptr) warp(*grid, block, *displacement, options_.addedWarp);
       }
+      setVectors(*grid, block);
       const Eigen::VectorXd values = choice_ ? choice_->valuesOf(block) : Eigen::VectorXd();
       if (values.size() > 0) {
         numPlaces_ += values.size();
@@ -404,8 +439,28 @@ class SubjectMaker {
     for (const Faces& part : {faces, plain})
       if (part->GetNumberOfPoints() > 0) parts.box.extend(boxOf(*part));
     parts.eye = eyeOf(options_, parts, subject.dim);
-    if (options_.cut || options_.slice) cut(parts, cells, *(hasPlain ? together(*faces, *plain) : faces));
+    const Faces all = hasPlain ? together(*faces, *plain) : faces;
+    if (options_.cut || options_.slice) cut(parts, cells, *all);
+    if (arrows_) addArrowsTo(parts, *all, subject.dim);
     return parts;
+  }
+
+  /// faces: all that are seen before a cut.
+  void addArrowsTo(ContourParts& parts, vtkPolyData& faces, int dim) const {
+    Faces ground = shaded(&faces, dim);
+    if (options_.slice) ground = parts.plain ? together(*parts.body, *parts.plain) : parts.body;
+    if (options_.cut) {
+      ground = behind(*ground, *parts.plane);
+      for (const Faces& section : {parts.section, parts.plainSection})
+        if (section) ground = together(*ground, *section);
+    }
+    if (vtkDataArray* vectors = ground->GetPointData()->GetArray("vectors"); vectors && dim == 2)
+      vectors->FillComponent(2, 0.0);
+    const auto isUsual = [&](const ForeignField* usual) { return usual && usual->array == arrows_->array; };
+    const std::string name = isUsual(displacementAmong(fields_)) ? "displacement"
+                             : isUsual(stressAmong(fields_))     ? "stress"
+                                                                 : arrows_->name;
+    addArrows(parts, {dim, ground, name, arrows_->unit}, *ground, options_);
   }
 
   /// Those of the cells where the drawn field lies between the ends of the threshold: cells are cut where points have
@@ -608,6 +663,7 @@ class SubjectMaker {
   std::vector<ForeignBlock> blocks_;
   std::vector<ForeignField> fields_;
   std::optional<ForeignChoice> choice_;
+  std::optional<ForeignField> arrows_;        ///< what arrows show
   Eigen::Index numGaps_ = 0, numPlaces_ = 0;  ///< points or cells without a finite value, and all
 };
 

@@ -257,6 +257,14 @@ vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, c
     if (vtkDataArray* drawn = data->GetArray("drawn"))
       for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k)
         drawn->SetComponent(k, 0, sign * drawn->GetComponent(k, 0));
+  const auto turn = [&](const char* name, const std::vector<int>& components) {
+    vtkDataArray* array = image->GetPointData()->GetArray(name);
+    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
+      for (const int component : components)
+        array->SetComponent(k, component, -array->GetComponent(k, component));
+  };
+  turn("vectors", {plane.axis});
+  turn("stress", {3 + plane.axis, 3 + (plane.axis + 2) % 3});  // the shear stresses across the plane
   return image;
 }
 

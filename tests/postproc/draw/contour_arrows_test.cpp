@@ -12,7 +12,6 @@
 #include "postproc/draw/contour/streamlines.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
-#include "tests/postproc/sample_records.h"
 
 namespace burnish {
 namespace {
@@ -27,7 +26,7 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
   builder.addPoints(x);
   const auto body = builder.finish();
   body->GetPointData()->AddArray(
-      makeArray("displacement", Eigen::Vector3d::UnitX().replicate(1, x.cols()), {}));
+      makeArray("vectors", Eigen::Vector3d::UnitX().replicate(1, x.cols()), {}));
   if (inSpace)
     body->GetPointData()->SetNormals(
         makeArray("normals", Eigen::Vector3d::UnitZ().replicate(1, x.cols()), {}));
@@ -37,9 +36,9 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
 /// Where arrows as long as `longest` begin.
 Places beginsOf(const Places& points, double longest, vtkPolyData* before = nullptr, bool inSpace = false,
                 const View& view = {}) {
-  const samples::Sample sample = inSpace ? samples::cube() : samples::ring();
-  const ContourArrows arrows = contourArrows(ArrowField::Displacement, sample.model, sample.frame,
-                                             *ground(points, inSpace), before, view, longest, {});
+  const ContourArrows arrows = contourArrows(
+      ArrowField::Displacement, {inSpace ? 3 : 2, ground(points, inSpace), "displacement", ""}, before, view,
+      longest, {});
   Places begins;
   constexpr vtkIdType kCorners = 8;  // the first of an arrow is its tip
   for (vtkIdType k = 0; arrows.edges && k < arrows.edges->GetNumberOfPoints(); k += kCorners)
@@ -144,7 +143,7 @@ vtkSmartPointer<vtkPolyData> turningSquare(const Eigen::Vector3d& normal) {
       builder.addPolygon({at(0, 0), at(1, 1), at(0, 1)});
     }
   const auto square = builder.finish();
-  square->GetPointData()->AddArray(makeArray("displacement", u, {}));
+  square->GetPointData()->AddArray(makeArray("vectors", u, {}));
   return square;
 }
 
@@ -189,7 +188,7 @@ TEST(Streamlines, OfARotationAreCircles) {
 /// Round a middle inside the square lines close, once and not a second time beside themselves.
 TEST(Streamlines, GoRoundALoopOnce) {
   const auto square = turningSquare(Eigen::Vector3d::UnitZ());
-  vtkDataArray& u = *square->GetPointData()->GetArray("displacement");
+  vtkDataArray& u = *square->GetPointData()->GetArray("vectors");
   const Eigen::Vector3d middle(square->GetCenter());
   for (vtkIdType k = 0; k < square->GetNumberOfPoints(); ++k) {
     const Eigen::Vector3d x = Eigen::Map<const Eigen::Vector3d>(square->GetPoint(k)) - middle;
@@ -212,7 +211,7 @@ TEST(Streamlines, GoRoundALoopOnce) {
 
 TEST(Streamlines, OfNothingAreNone) {
   const auto still = turningSquare(Eigen::Vector3d::UnitZ());
-  still->GetPointData()->GetArray("displacement")->Fill(0.0);
+  still->GetPointData()->GetArray("vectors")->Fill(0.0);
   EXPECT_TRUE(evenStreamlines(*still, Eigen::Vector3d::UnitZ(), pointsOf(*still), 0.1).empty());
 }
 
