@@ -73,13 +73,13 @@ class ForeignCells {
       const auto found = findForeignField(known, name);
       if (!found && absent == Absent::Unknown) {
         fields_.emplace_back();
-        values_.push_back({false, std::vector<Eigen::VectorXd>(blocks_.size())});
+        values_.push_back({false, std::vector<Eigen::MatrixXd>(blocks_.size())});
         continue;
       }
       const ForeignChoice choice = chooseForeignField(known, name, where);
       fields_.push_back(wordsOf(choice));
-      std::vector<Eigen::VectorXd> ofBlocks;
-      for (const ForeignBlock& block : blocks_) ofBlocks.push_back(choice.valuesOf(block));
+      std::vector<Eigen::MatrixXd> ofBlocks;
+      for (const ForeignBlock& block : blocks_) ofBlocks.push_back(choice.partsOf(block));
       values_.push_back({choice.field.ofCells, std::move(ofBlocks)});
     }
     isFlat_ = std::ranges::all_of(blocks_, [](const ForeignBlock& block) { return isPlane(*block.grid); });
@@ -126,12 +126,13 @@ class ForeignCells {
                      Eigen::VectorXd::Constant(std::ssize(values_), ProbePoint::kNone)};
     for (std::size_t f = 0; f < values_.size(); ++f) {
       const auto& [ofCells, ofBlocks] = values_[f];
-      const Eigen::VectorXd& own = ofBlocks[place.block];
+      const Eigen::MatrixXd& own = ofBlocks[place.block];
       if (own.size() == 0) continue;
-      double value = ofCells ? own(place.cell) : 0.0;
+      Eigen::VectorXd parts = Eigen::VectorXd::Zero(own.rows());
+      if (ofCells) parts = own.col(place.cell);
       for (std::size_t k = 0; !ofCells && k < place.points.size(); ++k)
-        value += place.weights[k] * own(place.points[k]);
-      point.values(static_cast<Eigen::Index>(f)) = value;
+        parts += place.weights[k] * own.col(place.points[k]);
+      point.values(static_cast<Eigen::Index>(f)) = parts.size() == 1 ? parts(0) : parts.norm();
     }
     return point;
   }
@@ -180,7 +181,7 @@ class ForeignCells {
  private:
   struct Values {
     bool ofCells;
-    std::vector<Eigen::VectorXd> ofBlocks;
+    std::vector<Eigen::MatrixXd> ofBlocks;  ///< see `ForeignChoice::partsOf`
   };
 
   Eigen::VectorXd unknown() const { return Eigen::VectorXd::Constant(dim(), ProbePoint::kNone); }

@@ -156,16 +156,19 @@ std::vector<std::string> foreignFieldNames(const std::vector<ForeignField>& fiel
 }
 
 Eigen::VectorXd ForeignChoice::valuesOf(const ForeignBlock& block) const {
+  const Eigen::MatrixXd parts = partsOf(block);
+  if (parts.rows() == 1) return parts.row(0).transpose();
+  return parts.colwise().norm().transpose();
+}
+
+Eigen::MatrixXd ForeignChoice::partsOf(const ForeignBlock& block) const {
   vtkDataArray* array = arrayIn(block, field);
   if (!array) return {};
-  Eigen::VectorXd values(array->GetNumberOfTuples());
-  std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
-  for (Eigen::Index k = 0; k < values.size(); ++k) {
-    array->GetTuple(k, tuple.data());
-    const Eigen::Map<const Eigen::VectorXd> all(tuple.data(), std::ssize(tuple));
-    values(k) = component >= 0 ? all(component) : all.size() == 1 ? all(0) : all.norm();
-  }
-  return values;
+  Eigen::MatrixXd parts(component >= 0 ? 1 : array->GetNumberOfComponents(), array->GetNumberOfTuples());
+  for (Eigen::Index k = 0; k < parts.cols(); ++k)
+    for (Eigen::Index row = 0; row < parts.rows(); ++row)
+      parts(row, k) = array->GetComponent(k, component >= 0 ? component : static_cast<int>(row));
+  return parts;
 }
 
 double ForeignChoice::signInMirror(int axis) const {

@@ -38,6 +38,9 @@ struct ForeignChoice {
   /// Values at the points or in the cells of a block; empty if it does not have the field.
   Eigen::VectorXd valuesOf(const ForeignBlock& block) const;
 
+  /// The same as one row or, of a length, the components of the vector, of which between points the value is the length.
+  Eigen::MatrixXd partsOf(const ForeignBlock& block) const;
+
   /// What a mirror across an axis makes of a value: 1 or -1.
   double signInMirror(int axis) const;
 };

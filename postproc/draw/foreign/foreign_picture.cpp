@@ -78,13 +78,20 @@ Grid bareGrid(const ForeignBlock& block) {
   return grid;
 }
 
-/// No number where a value is not finite.
-void setDrawn(vtkUnstructuredGrid& grid, const Eigen::VectorXd& values, bool ofCells) {
+/// No number where a value is not finite. vectors: whose lengths the values are, to be kept beside them; none if empty.
+void setDrawn(vtkUnstructuredGrid& grid, const Eigen::VectorXd& values, bool ofCells,
+              const Eigen::MatrixXd& vectors) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   vtkDataSetAttributes* data = grid.GetPointData();
   if (ofCells) data = grid.GetCellData();
   const Eigen::VectorXd drawn = values.array().isFinite().select(values, kNone);
   data->AddArray(makeArray("drawn", drawn.transpose(), {}));
+  if (vectors.size() == 0) return;
+  Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(3, vectors.cols());
+  kept.topRows(vectors.rows()) = vectors;
+  for (Eigen::Index k = 0; k < kept.cols(); ++k)
+    if (std::isnan(drawn(k))) kept.col(k).setConstant(kNone);
+  data->AddArray(makeArray("drawn_vector", kept, {}));
 }
 
 /// Moves points by the displacements that the block has.
@@ -248,6 +255,11 @@ class SubjectMaker {
           "warp: {} has no vector called displacement, displacements, disp, displ or u at its points",
           file_.file().string()));
     std::vector<Grid> with, without, undeformed;
+    const bool keepsVectors = choice_ && !choice_->field.ofCells && choice_->component < 0 &&
+                              choice_->field.isVector() &&
+                              std::ranges::any_of(blocks_, [](const ForeignBlock& block) {
+                                return hasCurved(*block.grid);
+                              });
     for (const ForeignBlock& block : blocks_) {
       const Grid grid = bareGrid(block);
       if (options_.addedWarp != 0.0) {
@@ -259,7 +271,8 @@ class SubjectMaker {
       if (values.size() > 0) {
         numPlaces_ += values.size();
         numGaps_ += values.size() - values.array().isFinite().count();
-        setDrawn(*grid, values, choice_->field.ofCells);
+        setDrawn(*grid, values, choice_->field.ofCells,
+                 keepsVectors ? choice_->partsOf(block) : Eigen::MatrixXd());
         with.push_back(grid);
       } else {
         without.push_back(grid);
@@ -532,7 +545,10 @@ class SubjectMaker {
     vtkDataArray& drawn = *cells.GetPointData()->GetArray("drawn");
     Eigen::VectorXd values(drawn.GetNumberOfTuples());
     for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
-    return linearParts(cells, values, ends);
+    // Lengths may be smaller than at all points of a cell.
+    const bool areLengths = cells.GetPointData()->GetArray("drawn_vector") != nullptr;
+    return linearParts(cells, values,
+                       {ends[0], areLengths ? std::numeric_limits<double>::infinity() : ends[1]});
   }
 
   /// Where the drawn field has these values.

@@ -286,6 +286,7 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
   sides->SplittingOff();
   sides->Update();
   vtkSmartPointer<vtkPolyData> faces = sides->GetOutput();
+  takeLengths(*faces);
   if (faces->GetNumberOfPoints() == 0 || faces->GetPoints()->GetDataType() == VTK_DOUBLE) return faces;
   vtkNew<vtkPoints> points;  // of curved cells VTK makes single precision
   points->SetDataTypeToDouble();

@@ -293,7 +293,19 @@ vtkSmartPointer<vtkUnstructuredGrid> linearParts(vtkUnstructuredGrid& cells, con
   while (count > 2 && curved * count * count * count > most) count /= 2;
   LinearParts parts(cells, count);
   for (const vtkIdType cell : reached) parts.add(cell);
-  return parts.finish();
+  const auto result = parts.finish();
+  takeLengths(*result);
+  return result;
+}
+
+void takeLengths(vtkPointSet& places) {
+  vtkPointData& data = *places.GetPointData();
+  vtkDataArray* vectors = data.GetArray("drawn_vector");
+  if (!vectors) return;
+  vtkDataArray& drawn = *data.GetArray("drawn");
+  for (vtkIdType k = 0; k < drawn.GetNumberOfTuples(); ++k)
+    drawn.SetComponent(k, 0, Eigen::Map<const Eigen::Vector3d>(vectors->GetTuple3(k)).norm());
+  data.RemoveArray("drawn_vector");
 }
 
 }  // namespace burnish

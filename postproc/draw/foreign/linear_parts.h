@@ -1,4 +1,5 @@
 #pragma once
+#include <vtkPointSet.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -23,5 +24,9 @@ inline constexpr vtkIdType kMostLinearParts = 1'000'000;
 vtkSmartPointer<vtkUnstructuredGrid> linearParts(vtkUnstructuredGrid& cells, const Eigen::VectorXd& of,
                                                  const std::array<double, 2>& ends,
                                                  vtkIdType most = kMostLinearParts);
+
+/// Where points have the vectors `drawn_vector`, whose lengths `drawn` is, takes these lengths anew: between the
+/// points of a curved cell they are no means of those there. The vectors are gone then.
+void takeLengths(vtkPointSet& places);
 
 }  // namespace burnish

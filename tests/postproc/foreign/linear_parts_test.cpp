@@ -258,5 +258,23 @@ TEST(LinearParts, HaveTheValuesOfRationalCells) {
   EXPECT_LT(largestError(*section, [](const Eigen::Vector3d& x) { return std::hypot(x(0), x(1)); }), 0.01);
 }
 
+/// The vector (2s - 1, 0, 0) has the length 1 at both ends of a cell, and 0 in the middle.
+TEST(LinearParts, LengthsAreThoseOfTheVectorsBetween) {
+  const auto grid = Grid::New();
+  addCell(*grid, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON,
+          [](const Eigen::Vector3d& place) { return place; });
+  setDrawn(*grid, [](const Eigen::Vector3d& x) { return std::abs(2.0 * x(0) - 1.0); });
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("drawn_vector");
+  vectors->SetNumberOfComponents(3);
+  for (vtkIdType k = 0; k < grid->GetNumberOfPoints(); ++k)
+    vectors->InsertNextTuple3(2.0 * grid->GetPoint(k)[0] - 1.0, 0.0, 0.0);
+  grid->GetPointData()->AddArray(vectors);
+  const auto length = [](const Eigen::Vector3d& x) { return std::abs(2.0 * x(0) - 1.0); };
+  EXPECT_LT(largestError(*allParts(*grid), length), 1e-12);
+  EXPECT_LT(largestError(*outerFaces(*grid), length), 1e-6);
+  EXPECT_EQ(outerFaces(*grid)->GetPointData()->GetArray("drawn_vector"), nullptr);
+}
+
 }  // namespace
 }  // namespace burnish
