@@ -38,7 +38,17 @@ class Noted {
 
 GalerkinProduct::GalerkinProduct(const RowGroups& fine, const Prolongation& P)
     : fine_(&fine), P_(&P), product_(static_cast<std::size_t>(P.cols()) * kRoom) {
-  findRuns();
+  findRuns({});
+  makePattern();
+}
+
+GalerkinProduct::GalerkinProduct(const RowGroups& fine, const Prolongation& P, const SparseRows& elsewhere,
+                                 const Prolongation& ofElsewhere)
+    : fine_(&fine),
+      P_(&P),
+      ofElsewhere_(&ofElsewhere),
+      product_(static_cast<std::size_t>(P.cols()) * kRoom) {
+  findRuns(elsewhere);
   makePattern();
 }
 
@@ -51,14 +61,18 @@ std::span<const GalerkinProduct::Run> GalerkinProduct::runsOf(int group) const {
   return {runs_.data() + runBegins_[g], runs_.data() + runBegins_[g + 1]};
 }
 
-void GalerkinProduct::findRuns() {
+void GalerkinProduct::findRuns(const SparseRows& elsewhere) {
   Noted noted(P_->cols());
+  const auto note = [&](const Prolongation& P, int row) {
+    for (Prolongation::InnerIterator entry(P, row); entry; ++entry) noted.note(static_cast<int>(entry.col()));
+  };
   std::size_t longest = 0;
   for (int group = 0; group < fine_->size(); ++group) {
     for (const auto [first, length] : fine_->runs(group))
-      for (int k = first; k < first + length; ++k)
-        for (Prolongation::InnerIterator entry(*P_, k); entry; ++entry)
-          noted.note(static_cast<int>(entry.col()));
+      for (int k = first; k < first + length; ++k) note(*P_, k);
+    if (ofElsewhere_ != nullptr)
+      for (int k = elsewhere.begins[fine_->begin(group)]; k < elsewhere.begins[fine_->begin(group + 1)]; ++k)
+        note(*ofElsewhere_, elsewhere.columns[k]);
     runBegins_.push_back(runs_.size());
     const std::vector<int> columns = noted.take();
     for (const int column : columns) RowGroups::append(column, runs_, runBegins_.back());
@@ -93,11 +107,23 @@ void GalerkinProduct::makePattern() {
   groups_.emplace(rows());
 }
 
-void GalerkinProduct::assign(const SparseRows& A) {
+void GalerkinProduct::assign(const SparseRows& A, const SparseRows& elsewhere) {
   std::fill(values_.begin(), values_.end(), 0.0);
   for (int group = 0; group < fine_->size(); ++group) {
     multiplyByP(A, group);
+    if (ofElsewhere_ != nullptr) addElsewhere(elsewhere, group);
     addTimesP(group);
+  }
+}
+
+/// The rows of a group need not have the same columns of other ranks.
+void GalerkinProduct::addElsewhere(const SparseRows& A, int group) {
+  for (int r = 0; r < fine_->count(group); ++r) {
+    const int row = fine_->begin(group) + r;
+    for (int k = A.begins[row]; k < A.begins[row + 1]; ++k)
+      for (Prolongation::InnerIterator entry(*ofElsewhere_, A.columns[k]); entry; ++entry)
+        product_[static_cast<std::size_t>(entry.col()) * kRoom + static_cast<std::size_t>(r)] +=
+            entry.value() * A.values[k];
   }
 }
 

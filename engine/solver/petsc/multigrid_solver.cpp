@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/solver/galerkin_product.h"
 #include "engine/solver/petsc/border.h"
+#include "engine/solver/petsc/divided_product.h"
 #include "engine/solver/petsc/level_smoother.h"
 #include "engine/solver/petsc/library.h"
 #include "engine/solver/petsc/matrix_blocks.h"
@@ -88,11 +89,10 @@ class MultigridSolver::Implementation {
     if (team_.isAlone()) {
       for (const auto& P : prolongations) prolongations_.push_back(view(rowsOf(P), P.cols()));
     } else {
-      Division rows = problem.rows;
+      divisions_.push_back(problem.rows);
       for (const auto& P : prolongations) {
-        Division columns = coarseDivision(P, rows);
-        prolongations_.push_back(ownRows(P, rows, columns));
-        rows = std::move(columns);
+        divisions_.push_back(coarseDivision(P, divisions_.back()));
+        prolongations_.push_back(ownRows(P, divisions_.end()[-2], divisions_.back()));
       }
     }
     const auto rank = static_cast<std::size_t>(team_.rank());
@@ -204,25 +204,14 @@ class MultigridSolver::Implementation {
       return;
     }
     for (std::size_t k = 0; k < prolongations_.size(); ++k) {
-      if (k == coarse_.size()) coarse_.push_back(galerkinProduct(matrixOf(k), prolongations_[k]));
-      check(MatProductNumeric(coarse_[k]));
-      if (k == coarseGroups_.size())
-        coarseGroups_.emplace_back(petsc::rowsOf(petsc::MatrixBlocks(coarse_[k]).diagonal));
+      if (k == divided_.size()) {
+        divided_.push_back(std::make_unique<DividedProduct>(
+            matrixOf(k), groupsOf(k), hierarchy_.prolongations[k], divisions_[k], divisions_[k + 1]));
+        goRowByRow(divided_.back()->matrix());
+        coarseGroups_.emplace_back(petsc::rowsOf(petsc::MatrixBlocks(divided_.back()->matrix()).diagonal));
+      }
+      divided_[k]->assign(matrixOf(k));
     }
-  }
-
-  /// PᵀAP of several ranks, without values. The library's first choice adds what comes from several other ranks in the order in which
-  /// it comes, so that equal runs have other bits; "allatonce" adds in the order of ranks, and takes three times as long.
-  petsc::Matrix galerkinProduct(Mat A, Mat P) const {
-    petsc::Matrix product;
-    check(MatProductCreate(A, P, nullptr, product.place()));
-    check(MatProductSetType(product, MATPRODUCT_PtAP));
-    if (team_.size() > 2) check(MatProductSetAlgorithm(product, "allatonce"));
-    check(MatProductSetFill(product, PETSC_DEFAULT));
-    check(MatProductSetFromOptions(product));
-    check(MatProductSymbolic(product));
-    goRowByRow(product);
-    return product;
   }
 
   /// Of all levels; false if one should have incomplete factors and has none.
@@ -245,7 +234,10 @@ class MultigridSolver::Implementation {
   }
 
   /// Of a level, from the finest one on.
-  Mat matrixOf(std::size_t level) const { return level == 0 ? K_ : coarse_[level - 1]; }
+  Mat matrixOf(std::size_t level) const {
+    if (level == 0) return K_;
+    return team_.isAlone() ? static_cast<Mat>(coarse_[level - 1]) : divided_[level - 1]->matrix();
+  }
 
   KSP smootherOf(PetscInt level) const {
     KSP smoother = nullptr;
@@ -676,6 +668,7 @@ class MultigridSolver::Implementation {
   BorderZone zone_;
   const Hierarchy& hierarchy_;
   std::vector<petsc::Matrix> prolongations_;  ///< from the finest level on
+  std::vector<Division> divisions_;           ///< of the unknowns of all levels, of several ranks
   const SystemMatrix* A_ = nullptr;
   petsc::Matrix K_;                  ///< transposed; without products
   petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
@@ -683,7 +676,8 @@ class MultigridSolver::Implementation {
 
   // From the finest level on:
   std::vector<GalerkinProduct> products_;  ///< matrices of the levels below it in a process that is alone
-  std::vector<petsc::Matrix> coarse_;      ///< the same for the library, and those of several ranks
+  std::vector<petsc::Matrix> coarse_;      ///< the same for the library
+  std::vector<std::unique_ptr<DividedProduct>> divided_;  ///< the same of several ranks
   std::vector<RowGroups> coarseGroups_;    ///< of the diagonal blocks of those
   std::vector<std::unique_ptr<LevelSmoother>>
       smoothers_;  ///< of all levels but the coarsest, if the cycle has factors

@@ -80,5 +80,31 @@ TEST(GalerkinProduct, HasASymmetricPatternWithNothingButWhatIsCoupled) {
       EXPECT_GT(coupled.coeff(rows.columns[k], row), 0.0);
 }
 
+/// What ranks have of a product adds up to it. The second one has the middle third of the rows; columns that it does not have come
+/// behind its own.
+TEST(GalerkinProduct, OfRanksAddsUpToTheProduct) {
+  grid::Matrix A = grid::matrix(6, 5, 10.0);
+  A.coeffs() = grid::someVector(A.nonZeros());
+  const grid::Matrix P = prolongation(A.rows());
+  grid::Matrix sum(P.cols(), P.cols());
+  for (int rank = 0; rank < 3; ++rank) {
+    const Eigen::Index n = A.rows() / 3, first = rank * n, count = rank < 2 ? n : A.rows() - 2 * n;
+    const grid::Matrix rows = A.middleRows(first, count), own = rows.middleCols(first, count);
+    grid::Matrix elsewhere = rows, of = P;
+    elsewhere.prune([&](Eigen::Index, Eigen::Index column, double) {
+      return column < first || column >= first + count;
+    });
+    const grid::Matrix ofOwn = P.middleRows(first, count);
+    const RowGroups groups(grid::rowsOf(own));
+    GalerkinProduct product(groups, ofOwn, grid::rowsOf(elsewhere), of);
+    product.assign(grid::rowsOf(own), grid::rowsOf(elsewhere));
+    const SparseRows found = product.rows();
+    sum += Eigen::Map<const grid::Matrix>(found.size, found.size, found.begins[found.size], found.begins,
+                                          found.columns, found.values);
+  }
+  const grid::Matrix expected = P.transpose() * A * P;
+  EXPECT_LT((sum - expected).norm(), 1e-14 * expected.norm());
+}
+
 }  // namespace
 }  // namespace burnish
