@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """Iterations of multigrid per linear system, solved to 1e-8, on finer and finer bodies.
 
-    bench/scale/mesh_independence.py build/release/burnish [SPANS ...]
+    bench/scale/mesh_independence.py build/release/burnish [SPANS ...] [--only PATTERN]
 
 A block, held at its back, is pulled in its middle or touched by a ball; an octant of a ball is pressed on a plane. Each
-line is one case, each column one mesh of SPANS x SPANS x SPANS knot spans (8 12 16 when left out); behind a + stand the
-V-cycles that were set up per system, which are kept from system to system where they still do; an F is a system that
-went to a direct solver in the end. Beside them the processor seconds per unknown and system of set-up and solution on
-the finest mesh, in microseconds.
+line is one case (of those whose names match PATTERN), each column one mesh of SPANS x SPANS x SPANS knot spans (8 12 16
+when left out); behind a + stand the V-cycles that were set up per system, which are kept from system to system where
+they still do; an F is a system that went to a direct solver in the end. Beside them the processor seconds per unknown
+and system of set-up and solution on the finest mesh, in microseconds.
 """
+import argparse
 import dataclasses
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -84,7 +86,7 @@ degree: {self.degree}
 formulation: {self.formulation}
 material: {self.material}
 solver: {{linear: multigrid, linear_tolerance: 1e-8}}
-output: {{every: 2}}
+output: {{every: 2, vtu: false}}
 {self.body}{self.what}"""
         for key, value in given.items():
             text = text.replace(key, str(value))
@@ -127,10 +129,17 @@ def run(program, text, directory):
 
 
 def main():
-    program, meshes = sys.argv[1], [int(n) for n in sys.argv[2:]] or [8, 12, 16]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("spans", nargs="*", type=int, default=[8, 12, 16])
+    parser.add_argument("--only", default="", help="cases whose names match this regular expression")
+    given = parser.parse_args()
+    program, meshes = given.program, given.spans
     print("| case |" + "".join(f" {n}³ |" for n in meshes) + " set-up µs | solution µs |")
     print("| --- |" + " ---: |" * (len(meshes) + 2))
     for case in CASES:
+        if not re.search(given.only, case.name):
+            continue
         line = f"| {case.name} |"
         for spans in meshes:
             with tempfile.TemporaryDirectory() as directory:
