@@ -159,8 +159,9 @@ std::string geometryText(const GeometryListing& listing) {
   }
   for (std::size_t k = 0; k < listing.faces.size(); ++k) {
     const CadPart& face = listing.faces[k];
-    text += infoLine("face", fmt::format("{}{}{}, {}", beginOf(k + 1, face.name),
-                                         face.isExact ? "exact" : "trimmed", ofSolid(face), boxText(face.box)));
+    text +=
+        infoLine("face", fmt::format("{}{}{}, {}", beginOf(k + 1, face.name),
+                                     face.isExact ? "exact" : "trimmed", ofSolid(face), boxText(face.box)));
   }
   for (std::size_t k = 0; k < listing.nets.size(); ++k) {
     const ListedNet& net = listing.nets[k];

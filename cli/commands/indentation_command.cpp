@@ -207,7 +207,9 @@ void addIndentationCommand(CLI::App& app, Action& action) {
   addDrawingOptions(*command, arguments->chart, "directory");
   command->add_option("--csv", arguments->outputs.csv, "Write the curves to this file too, or print them: -")
       ->type_name("FILE.csv|-");
-  command->add_option("-o,--output", arguments->outputs.picture, "Name of a chart of force over depth; - for a PNG on standard output")
+  command
+      ->add_option("-o,--output", arguments->outputs.picture,
+                   "Name of a chart of force over depth; - for a PNG on standard output")
       ->type_name("CHART.png|svg|pdf|-");
   command->callback([&action, arguments] { action = [arguments] { return indentation(*arguments); }; });
 }

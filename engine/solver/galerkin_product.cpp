@@ -44,10 +44,7 @@ GalerkinProduct::GalerkinProduct(const RowGroups& fine, const Prolongation& P)
 
 GalerkinProduct::GalerkinProduct(const RowGroups& fine, const Prolongation& P, const SparseRows& elsewhere,
                                  const Prolongation& ofElsewhere)
-    : fine_(&fine),
-      P_(&P),
-      ofElsewhere_(&ofElsewhere),
-      product_(static_cast<std::size_t>(P.cols()) * kRoom) {
+    : fine_(&fine), P_(&P), ofElsewhere_(&ofElsewhere), product_(static_cast<std::size_t>(P.cols()) * kRoom) {
   findRuns(elsewhere);
   makePattern();
 }

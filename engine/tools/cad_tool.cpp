@@ -81,13 +81,12 @@ FacetedShape facetedShape(CadSurface surface, double scale, bool open, std::opti
 RigidShape CadTool::made() const {
   try {
     requireFile(file, "STEP or IGES model");
-    CadSurface surface =
-        readCad({.file = file,
-                 .face = face,
-                 .solid = solid,
-                 .shell = shell,
-                 .unit = unit,
-                 .tolerance = tolerance ? std::optional(*tolerance / scale) : std::nullopt});
+    CadSurface surface = readCad({.file = file,
+                                  .face = face,
+                                  .solid = solid,
+                                  .shell = shell,
+                                  .unit = unit,
+                                  .tolerance = tolerance ? std::optional(*tolerance / scale) : std::nullopt});
     if (surface.exact) return exactShape(*surface.exact, scale);
     return facetedShape(std::move(surface), scale, open, smoothing);
   } catch (const KeyError&) {
@@ -102,12 +101,14 @@ RigidShape CadTool::made() const {
 
 void check(const CadTool& tool, const ShapeProblems& problems) {
   const char* first = nullptr;
-  for (const auto& [key, wanted] : {std::pair{"face", &tool.face}, {"shell", &tool.shell}, {"solid", &tool.solid}}) {
+  for (const auto& [key, wanted] :
+       {std::pair{"face", &tool.face}, {"shell", &tool.shell}, {"solid", &tool.solid}}) {
     if (wanted->empty() || !problems.clean(key)) continue;
     if (first)
-      problems.report(key, fmt::format("found {} beside {}; allowed: one of face, shell and solid, or none for "
-                                       "all of the file.",
-                                       key, first));
+      problems.report(key,
+                      fmt::format("found {} beside {}; allowed: one of face, shell and solid, or none for "
+                                  "all of the file.",
+                                  key, first));
     first = key;
   }
 }

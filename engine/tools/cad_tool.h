@@ -41,8 +41,9 @@ void describe(Visitor& v, CadTool& s) {
       "surface; the tool is behind it.");
   v.field("shell", s.shell, {},
           "Name of a shell, faces that hang together, or its number from 1; solids have shells, too.");
-  v.field("solid", s.solid, {},
-          "Name of a solid, or its number from 1. Without face, shell and solid the tool is all of the file.");
+  v.field(
+      "solid", s.solid, {},
+      "Name of a solid, or its number from 1. Without face, shell and solid the tool is all of the file.");
   v.field(
       "unit", s.unit, {},
       "Unit of the scene's lengths, that of units unless it is said here: those of the file, which says its own "

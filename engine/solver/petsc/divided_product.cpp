@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "engine/solver/petsc/matrix_blocks.h"
 
@@ -49,7 +50,7 @@ void DividedProduct::makeProduct(Mat A, const RowGroups& groups, const Hierarchy
   std::vector<int> elsewhere;
   for (const PetscInt place : std::span(numbers, static_cast<std::size_t>(count)))
     elsewhere.push_back(rows.order[static_cast<std::size_t>(place)]);
-  for (const std::vector<int>* some : {&own, &elsewhere})
+  for (const auto* some : {&std::as_const(own), &std::as_const(elsewhere)})
     for (const int row : *some)
       for (Hierarchy::Prolongation::InnerIterator entry(P, row); entry; ++entry)
         places_.push_back(placeOf[static_cast<std::size_t>(entry.col())]);
@@ -118,7 +119,8 @@ void DividedProduct::makeMatrix(const std::vector<std::vector<int>>& patterns, c
       block->begins.push_back(static_cast<int>(block->columns.size()));
   }
   const auto placeIn = [](const Block& block, std::size_t row, int column) {
-    const auto begin = block.columns.begin() + block.begins[row], stop = block.columns.begin() + block.begins[row + 1];
+    const auto begin = block.columns.begin() + block.begins[row],
+               stop = block.columns.begin() + block.begins[row + 1];
     return static_cast<int>(std::lower_bound(begin, stop, column) - block.columns.begin());
   };
   for (std::size_t r = 0; r < patterns.size(); ++r) {
@@ -145,12 +147,14 @@ void DividedProduct::assign(Mat A) {
   std::vector<MPI_Request> received(shares_.size(), MPI_REQUEST_NULL), sent;
   for (std::size_t k = 0; k < shares_.size(); ++k)
     if (shares_[k].rank != rank_)
-      MPI_Irecv(shares_[k].values.data(), static_cast<int>(shares_[k].values.size()), MPI_DOUBLE, shares_[k].rank,
-                tag_, ranks_, &received[k]);
+      MPI_Irecv(shares_[k].values.data(), static_cast<int>(shares_[k].values.size()), MPI_DOUBLE,
+                shares_[k].rank, tag_, ranks_, &received[k]);
   const petsc::MatrixBlocks blocks(A);
   product_->assign(rowsOf(blocks.diagonal), rowsOf(blocks.offDiagonal));
   const SparseRows rows = product_->rows();
-  const auto valuesFor = [&](int rank) { return rows.values + rows.begins[begins_[static_cast<std::size_t>(rank)]]; };
+  const auto valuesFor = [&](int rank) {
+    return rows.values + rows.begins[begins_[static_cast<std::size_t>(rank)]];
+  };
   for (int r = 0; r + 1 < static_cast<int>(begins_.size()); ++r) {
     const auto count = static_cast<int>(valuesFor(r + 1) - valuesFor(r));
     if (r == rank_ || count == 0) continue;

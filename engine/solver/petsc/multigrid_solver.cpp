@@ -678,7 +678,7 @@ class MultigridSolver::Implementation {
   std::vector<GalerkinProduct> products_;  ///< matrices of the levels below it in a process that is alone
   std::vector<petsc::Matrix> coarse_;      ///< the same for the library
   std::vector<std::unique_ptr<DividedProduct>> divided_;  ///< the same of several ranks
-  std::vector<RowGroups> coarseGroups_;    ///< of the diagonal blocks of those
+  std::vector<RowGroups> coarseGroups_;                   ///< of the diagonal blocks of those
   std::vector<std::unique_ptr<LevelSmoother>>
       smoothers_;  ///< of all levels but the coarsest, if the cycle has factors
 

@@ -24,9 +24,10 @@ struct ContourArrows {
 /// What arrows stand on, and what they show.
 struct ArrowGround {
   int dim = 3;
-  vtkSmartPointer<vtkPolyData> surface;  ///< point data: `vectors`, or `stress` (xx, yy, zz, xy, yz, zx), which any tensor
-                                         ///< may be; in space also normals
-  std::string name, unit;                ///< of what is shown; the unit may be empty
+  vtkSmartPointer<vtkPolyData>
+      surface;             ///< point data: `vectors`, or `stress` (xx, yy, zz, xy, yz, zx), which any tensor
+                           ///< may be; in space also normals
+  std::string name, unit;  ///< of what is shown; the unit may be empty
 };
 
 /// The faces in contact with their tractions.

@@ -261,8 +261,8 @@ vtkSmartPointer<vtkPolyData> undeformedOutline(const ModelRecord& model, const M
 
 /// What arrows of the body's fields stand on: equally many points per knot span, whatever the picture takes.
 vtkSmartPointer<vtkPolyData> arrowSurface(const ContourParts& parts, const MeshRecord& mesh,
-                                         const ModelRecord& model, const FrameRecord& frame,
-                                         const FieldChoice& field, const ContourOptions& options) {
+                                          const ModelRecord& model, const FrameRecord& frame,
+                                          const FieldChoice& field, const ContourOptions& options) {
   if (options.arrows == ArrowField::Traction || model.dim == 2 || options.slice || field.faces)
     return parts.section ? together(*parts.body, *parts.section) : parts.body;
   const BodySurface surface(mesh, subdivisionOf(model, options));

@@ -27,11 +27,10 @@ namespace burnish {
 enum class ArrowField { None, Displacement, Field, Traction, Principal, Streamlines };
 
 constexpr auto enumNames(std::type_identity<ArrowField>) {
-  return std::array{std::pair{"none", ArrowField::None}, std::pair{"displacement", ArrowField::Displacement},
-                    std::pair{"field", ArrowField::Field},
-                    std::pair{"traction", ArrowField::Traction},
-                    std::pair{"principal", ArrowField::Principal},
-                    std::pair{"streamlines", ArrowField::Streamlines}};
+  return std::array{
+      std::pair{"none", ArrowField::None},           std::pair{"displacement", ArrowField::Displacement},
+      std::pair{"field", ArrowField::Field},         std::pair{"traction", ArrowField::Traction},
+      std::pair{"principal", ArrowField::Principal}, std::pair{"streamlines", ArrowField::Streamlines}};
 }
 
 /// What the faces show that a cut or a slice makes.

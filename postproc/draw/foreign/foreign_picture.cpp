@@ -222,21 +222,24 @@ class SubjectMaker {
     const ForeignField* const own = choice_ && !choice_->field.ofCells ? &choice_->field : nullptr;
     const bool isPrincipal = options_.arrows == ArrowField::Principal;
     const ForeignField* shown = nullptr;
-    if (options_.arrows != ArrowField::Displacement && own && (isPrincipal ? own->isTensor() : own->isVector()))
+    if (options_.arrows != ArrowField::Displacement && own &&
+        (isPrincipal ? own->isTensor() : own->isVector()))
       shown = own;
     if (!shown && options_.arrows == ArrowField::Field)
-      throw Error(fmt::format(
-          "vectors: found field, and {} is no vector at points; {} needs one for arrows along it",
-          options_.field.empty() ? "none" : options_.field, file));
+      throw Error(
+          fmt::format("vectors: found field, and {} is no vector at points; {} needs one for arrows along it",
+                      options_.field.empty() ? "none" : options_.field, file));
     if (!shown) shown = isPrincipal ? stressAmong(fields_) : displacementAmong(fields_);
     if (!shown && isPrincipal)
-      throw Error(fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma at its points; "
-                              "draw a component of the tensor whose principal values are meant",
-                              file));
+      throw Error(
+          fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma at its points; "
+                      "draw a component of the tensor whose principal values are meant",
+                      file));
     if (!shown)
-      throw Error(fmt::format("vectors: {} has no vector called displacement, displacements, disp, displ or u "
-                              "at its points; {} along the vector that is drawn",
-                              file, options_.arrows == ArrowField::Streamlines ? "streamlines go" : "field goes"));
+      throw Error(
+          fmt::format("vectors: {} has no vector called displacement, displacements, disp, displ or u "
+                      "at its points; {} along the vector that is drawn",
+                      file, options_.arrows == ArrowField::Streamlines ? "streamlines go" : "field goes"));
     arrows_ = *shown;
   }
 
@@ -255,11 +258,9 @@ class SubjectMaker {
           "warp: {} has no vector called displacement, displacements, disp, displ or u at its points",
           file_.file().string()));
     std::vector<Grid> with, without, undeformed;
-    const bool keepsVectors = choice_ && !choice_->field.ofCells && choice_->component < 0 &&
-                              choice_->field.isVector() &&
-                              std::ranges::any_of(blocks_, [](const ForeignBlock& block) {
-                                return hasCurved(*block.grid);
-                              });
+    const bool keepsVectors =
+        choice_ && !choice_->field.ofCells && choice_->component < 0 && choice_->field.isVector() &&
+        std::ranges::any_of(blocks_, [](const ForeignBlock& block) { return hasCurved(*block.grid); });
     for (const ForeignBlock& block : blocks_) {
       const Grid grid = bareGrid(block);
       if (options_.addedWarp != 0.0) {

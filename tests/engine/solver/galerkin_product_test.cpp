@@ -91,9 +91,8 @@ TEST(GalerkinProduct, OfRanksAddsUpToTheProduct) {
     const Eigen::Index n = A.rows() / 3, first = rank * n, count = rank < 2 ? n : A.rows() - 2 * n;
     const grid::Matrix rows = A.middleRows(first, count), own = rows.middleCols(first, count);
     grid::Matrix elsewhere = rows, of = P;
-    elsewhere.prune([&](Eigen::Index, Eigen::Index column, double) {
-      return column < first || column >= first + count;
-    });
+    elsewhere.prune(
+        [&](Eigen::Index, Eigen::Index column, double) { return column < first || column >= first + count; });
     const grid::Matrix ofOwn = P.middleRows(first, count);
     const RowGroups groups(grid::rowsOf(own));
     GalerkinProduct product(groups, ofOwn, grid::rowsOf(elsewhere), of);

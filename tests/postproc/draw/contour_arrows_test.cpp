@@ -25,8 +25,7 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
   PolyBuilder builder;
   builder.addPoints(x);
   const auto body = builder.finish();
-  body->GetPointData()->AddArray(
-      makeArray("vectors", Eigen::Vector3d::UnitX().replicate(1, x.cols()), {}));
+  body->GetPointData()->AddArray(makeArray("vectors", Eigen::Vector3d::UnitX().replicate(1, x.cols()), {}));
   if (inSpace)
     body->GetPointData()->SetNormals(
         makeArray("normals", Eigen::Vector3d::UnitZ().replicate(1, x.cols()), {}));
@@ -36,9 +35,9 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
 /// Where arrows as long as `longest` begin.
 Places beginsOf(const Places& points, double longest, vtkPolyData* before = nullptr, bool inSpace = false,
                 const View& view = {}) {
-  const ContourArrows arrows = contourArrows(
-      ArrowField::Displacement, {inSpace ? 3 : 2, ground(points, inSpace), "displacement", ""}, before, view,
-      longest, {});
+  const ContourArrows arrows =
+      contourArrows(ArrowField::Displacement, {inSpace ? 3 : 2, ground(points, inSpace), "displacement", ""},
+                    before, view, longest, {});
   Places begins;
   constexpr vtkIdType kCorners = 8;  // the first of an arrow is its tip
   for (vtkIdType k = 0; arrows.edges && k < arrows.edges->GetNumberOfPoints(); k += kCorners)

@@ -108,9 +108,9 @@ TEST(ForeignArrows, GoAlongTheDrawnVectorOrTheDisplacement) {
                       pixels(moved, "displacement.y", ArrowField::Displacement)),
             800)
       << "they differ in words alone";
-  EXPECT_GT(differing(pixels(flow, "flow.y", ArrowField::Field),
-                      pixels(flow, "flow.y", ArrowField::Streamlines)),
-            2000);
+  EXPECT_GT(
+      differing(pixels(flow, "flow.y", ArrowField::Field), pixels(flow, "flow.y", ArrowField::Streamlines)),
+      2000);
   const auto refused = [&](const VectorFile& file, const char* field, ArrowField arrows, const char* why) {
     EXPECT_THAT(messageOf([&] { file.drawn(optionsOf(field, arrows)); }), HasSubstr(why));
   };
