@@ -1,5 +1,7 @@
 #include "postproc/foreign/foreign_file.h"
 
+#include <vtkSMPTools.h>
+
 #include <cstdint>
 #include <optional>
 
@@ -19,7 +21,11 @@ ReadingProcess::Answer answerFrom(const fs::path& file) {
   loadReaders();  // here, once for all processes
   const auto source = std::make_shared<std::unique_ptr<ForeignSource>>();
   return [file, source](std::int64_t question) -> ReadingProcess::Send {
-    if (!*source) *source = openForeign(file);
+    if (!*source) {
+      // TBB's threads are not in this process, and the locks that they had when it began are never given back.
+      vtkSMPTools::SetBackend("Sequential");
+      *source = openForeign(file);
+    }
     if (question == kTimes) return [times = (*source)->times()](const TakeBytes& take) { send(times, take); };
     return [blocks = (*source)->blocks(static_cast<std::size_t>(question))](const TakeBytes& take) {
       send(blocks, take);

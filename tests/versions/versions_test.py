@@ -1,5 +1,6 @@
 """Results of older versions can be read: each folder beside this file holds a small result of one version, of scene.yaml, and values.yaml,
 the numbers that this version read from it. The program at hand is asked for them again; it also draws, exports and compares the result.
+Version 0.1.0 knew neither bodies nor probes: its folder has a scene of its own, and the numbers of its history and its VTU files.
 
 Usage: versions_test.py BURNISH
        versions_test.py BURNISH --keep     computes scene.yaml and keeps the result as that of this version
@@ -18,12 +19,21 @@ import tempfile
 import yaml
 
 HERE = pathlib.Path(__file__).resolve().parent
-PROBES = {
+PROBES = {  # of the version at hand
     "depth": ["--depth", "left@0.5", "--body", "slab", "--field", "stress.xx", "--points", "4"],
     "face": ["--face", "left", "--body", "slab", "--field", "plastic_strain", "--points", "4"],
     "pad": ["--line", "0.7,1.1:1.3,1.1", "--body", "pad", "--field", "von_mises", "--points", "4"],
 }
 COLUMNS = ["disc.fx", "touch.fy", "touch.friction_work", "strain_energy", "plastic_work", "max_plastic_strain"]
+OLDER = {  # by the beginning of a version: its probes and columns
+    "0.1.0": (
+        {
+            "line": ["--line", "0.5,0:0.5,1", "--reference", "--field", "stress.yy", "--points", "5"],
+            "middle": ["--line", "0,0.5:2,0.5", "--reference", "--field", "plastic_strain", "--points", "9"],
+        },
+        ["disc.fx", "disc.fy", "strain_energy", "max_plastic_strain"],
+    )
+}
 MOST_BYTES = 100_000
 CLOSE = 1e-9
 
@@ -40,12 +50,13 @@ def numbers_in(table):
     return rows[0], [[float(value) for value in row] for row in rows[1:]]
 
 
-def values_of(burnish, result, directory):
-    """All that is compared of a result, as the program at hand reads it."""
+def values_of(burnish, result, directory, version=""):
+    """All that is compared of a result of a version, as the program at hand reads it."""
     values = {}
-    for name, options in PROBES.items():
+    probes, columns = next((asked for begin, asked in OLDER.items() if version.startswith(begin)), (PROBES, COLUMNS))
+    for name, options in probes.items():
         _, values[name] = numbers_in(call(burnish, "probe", result, *options, "--csv", "-", "-o", directory / "chart.png"))
-    for column in COLUMNS:
+    for column in columns:
         _, rows = numbers_in(call(burnish, "plot", result, "--y", column, "--csv", "-", "-o", directory / "chart.png"))
         values[column] = rows
     return values
@@ -68,7 +79,7 @@ def problems_of_version(burnish, version, directory):
         yield f"{bytes_kept} bytes; allowed: {MOST_BYTES}"
     result = directory / version.name
     shutil.copytree(version / "result", result)
-    yield from problems_of_numbers(values_of(burnish, result, directory), yaml.safe_load((version / "values.yaml").read_text()))
+    yield from problems_of_numbers(values_of(burnish, result, directory, version.name), yaml.safe_load((version / "values.yaml").read_text()))
     call(burnish, "render", result, "--field", "plastic_strain", "-o", directory / "picture.png", "--size", "400,225")
     call(burnish, "report", result, "-o", directory / "page.html")
     call(burnish, "export", result, "-o", directory / f"{version.name}-vtu")
