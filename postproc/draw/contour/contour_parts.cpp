@@ -407,6 +407,8 @@ int subdivisionOf(const ModelRecord& model, const ContourOptions& options) {
 
 ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, const FieldChoice& field,
                           const ContourOptions& options) {
+  if (options.arrows == ArrowField::Field)
+    if (const auto problem = directionProblem(field.name)) throw Error("vectors: " + *problem);
   const MeshRecord& mesh = meshOf(model, frame);
   ContourParts parts;
   const bool alongNormal = options.slice && options.view.name == "auto";

@@ -137,11 +137,8 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
         {"cut_face", "found hatch, but there is no section beside the body that has the field: add cut."});
   if (options.hiddenLines != HiddenLines::Off && dim == 2)
     problems.push_back({"hidden_lines", "a plane body hides none of its lines; draw it without."});
-  if (options.arrows == ArrowField::Field && !options.ofOthers && options.field != "displacement" &&
-      !options.field.starts_with("displacement."))
-    problems.push_back(
-        {"vectors", fmt::format("found field, and {} has no direction; allowed beside displacement alone.",
-                                options.field.empty() ? "no field" : options.field)});
+  if (options.arrows == ArrowField::Field && !options.ofOthers && !options.field.empty())
+    if (const auto problem = directionProblem(options.field)) problems.push_back({"vectors", *problem});
   if (options.arrows == ArrowField::Streamlines && dim == 3 && !options.slice)
     problems.push_back({"vectors", "found streamlines, which are drawn in a plane: add slice."});
   if (options.arrows == ArrowField::Traction && options.warp != 1.0)
@@ -170,6 +167,12 @@ void checkContactField(const PictureOptions& options, std::vector<InputProblem>&
 }
 
 }  // namespace
+
+std::optional<std::string> directionProblem(const std::string& field) {
+  if (field == "displacement" || field.starts_with("displacement.")) return std::nullopt;
+  return fmt::format("found field, and {} has no direction; allowed beside displacement and its components.",
+                     field);
+}
 
 std::optional<ViewName> Spelling<ViewName>::read(const std::string& text) {
   const auto& names = viewNames();
