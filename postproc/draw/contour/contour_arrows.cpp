@@ -308,6 +308,12 @@ ContourArrows crosses(const ArrowGround& ground, const View& view, const Sight& 
 
 }  // namespace
 
+std::optional<std::string> directionProblem(const std::string& field) {
+  if (field == "displacement" || field.starts_with("displacement.")) return std::nullopt;
+  return fmt::format("found field, and {} has no direction; allowed beside displacement and its components.",
+                     field);
+}
+
 ArrowGround tractionGround(const ModelRecord& model, const FrameRecord& frame) {
   PolyBuilder places;
   std::vector<Eigen::Vector3d> tractions;

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct ContourArrows {
   std::string note;                                   ///< what they show and how much the longest stands for
   vtkSmartPointer<vtkPolyData> darkAreas, darkEdges;  ///< of compression; null without crosses
 };
+
+/// Why a field of a run has no arrows of its own; nothing if it has.
+std::optional<std::string> directionProblem(const std::string& field);
 
 /// What arrows stand on, and what they show.
 struct ArrowGround {

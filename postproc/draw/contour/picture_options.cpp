@@ -9,6 +9,7 @@
 
 #include "engine/core/drawable_range.h"
 #include "engine/core/nearest.h"
+#include "postproc/draw/contour/contour_arrows.h"
 #include "postproc/draw/contour/contour_view.h"
 
 namespace burnish {
@@ -167,12 +168,6 @@ void checkContactField(const PictureOptions& options, std::vector<InputProblem>&
 }
 
 }  // namespace
-
-std::optional<std::string> directionProblem(const std::string& field) {
-  if (field == "displacement" || field.starts_with("displacement.")) return std::nullopt;
-  return fmt::format("found field, and {} has no direction; allowed beside displacement and its components.",
-                     field);
-}
 
 std::optional<ViewName> Spelling<ViewName>::read(const std::string& text) {
   const auto& names = viewNames();

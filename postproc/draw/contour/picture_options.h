@@ -33,9 +33,6 @@ constexpr auto enumNames(std::type_identity<ArrowField>) {
       std::pair{"principal", ArrowField::Principal}, std::pair{"streamlines", ArrowField::Streamlines}};
 }
 
-/// Why a field of a run has no arrows of its own; nothing if it has.
-std::optional<std::string> directionProblem(const std::string& field);
-
 /// What the faces show that a cut or a slice makes.
 enum class CutFace { Field, Hatch };
 

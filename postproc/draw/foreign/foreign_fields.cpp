@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -115,24 +117,40 @@ vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
   return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
 }
 
+/// Of each point the mean of what the cells about it have (rows x cells).
+Eigen::MatrixXd meansAtPoints(vtkUnstructuredGrid& grid, const Eigen::MatrixXd& ofCells) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(ofCells.rows(), grid.GetNumberOfPoints());
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(sums.cols());
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+    grid.GetCellPoints(cell, points);
+    for (const vtkIdType point : *points) {
+      sums.col(point) += ofCells.col(cell);
+      counts(point) += 1.0;
+    }
+  }
+  return sums * counts.cwiseMax(1.0).cwiseInverse().asDiagonal();
+}
+
 /// Rows of the components of an array at points, the means of those with the same row. rowOf: of a component, if it has one.
 Eigen::MatrixXd componentsAt(const ForeignBlock& block, const ForeignField& field, Eigen::Index rows,
                              const std::function<std::optional<std::size_t>(std::size_t)>& rowOf) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, block.grid->GetNumberOfPoints());
-  vtkDataArray* array = field.ofCells ? nullptr : arrayIn(block, field);
-  if (!array) return result;
+  vtkDataArray* array = arrayIn(block, field);
+  if (!array) return Eigen::MatrixXd::Zero(rows, block.grid->GetNumberOfPoints());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(rows, array->GetNumberOfTuples());
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(rows);
   for (std::size_t component = 0; component < field.components.size(); ++component) {
     const auto row = rowOf(component);
     if (!row) continue;
     const auto at = static_cast<Eigen::Index>(*row);
     counts(at) += 1.0;
-    for (Eigen::Index k = 0; k < result.cols(); ++k) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
       const double value = array->GetComponent(k, static_cast<int>(component));
-      if (std::isfinite(value)) result(at, k) += value;
+      if (std::isfinite(value)) values(at, k) += value;
     }
   }
-  return counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * result;
+  values = (counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * values).eval();
+  return field.ofCells ? meansAtPoints(*block.grid, values) : values;
 }
 
 }  // namespace
@@ -236,7 +254,7 @@ const ForeignField* displacementAmong(const std::vector<ForeignField>& fields) {
 const ForeignField* stressAmong(const std::vector<ForeignField>& fields) {
   for (const char* usual : {"stress", "cauchy_stress", "stresses", "s", "sigma"})
     for (const ForeignField& field : fields)
-      if (!field.ofCells && field.isTensor() && inLowerCase(field.name) == usual) return &field;
+      if (field.isTensor() && inLowerCase(field.name) == usual) return &field;
   return nullptr;
 }
 

@@ -67,10 +67,11 @@ std::string foreignFieldToShow(const std::vector<ForeignField>& fields);
 /// The vector of displacements by its usual names, at points, or null.
 const ForeignField* displacementAmong(const std::vector<ForeignField>& fields);
 
-/// The stress by its usual names, a tensor at points, or null.
+/// The stress by its usual names, a tensor, or null.
 const ForeignField* stressAmong(const std::vector<ForeignField>& fields);
 
-/// A vector at the points of a block, 3 x points: zero where it is not finite, or the block does not have it.
+/// A vector at the points of a block, 3 x points: zero where it is not finite, or the block does not have it; of cells the means of
+/// those about the points.
 Eigen::MatrixXd vectorsAt(const ForeignBlock& block, const ForeignField& field);
 
 /// The same of the symmetric part of a tensor, 6 x points: xx, yy, zz, xy, yz, zx.

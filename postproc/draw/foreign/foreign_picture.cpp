@@ -219,20 +219,20 @@ class SubjectMaker {
   void chooseArrows() {
     if (options_.arrows == ArrowField::None || (fields_.empty() && file_.times().size() > 1)) return;
     const std::string file = file_.file().string();
-    const ForeignField* const own = choice_ && !choice_->field.ofCells ? &choice_->field : nullptr;
+    const ForeignField* const own = choice_ ? &choice_->field : nullptr;
     const bool isPrincipal = options_.arrows == ArrowField::Principal;
     const ForeignField* shown = nullptr;
     if (options_.arrows != ArrowField::Displacement && own &&
         (isPrincipal ? own->isTensor() : own->isVector()))
       shown = own;
     if (!shown && options_.arrows == ArrowField::Field)
-      throw Error(
-          fmt::format("vectors: found field, and {} is no vector at points; {} needs one for arrows along it",
-                      options_.field.empty() ? "none" : options_.field, file));
+      throw Error(fmt::format(
+          "vectors: found field, and {} is no vector of {}; draw one, or give displacement, principal or streamlines",
+          options_.field.empty() ? "none" : options_.field, file));
     if (!shown) shown = isPrincipal ? stressAmong(fields_) : displacementAmong(fields_);
     if (!shown && isPrincipal)
       throw Error(
-          fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma at its points; "
+          fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma; "
                       "draw a component of the tensor whose principal values are meant",
                       file));
     if (!shown)

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A vector and a tensor over a block that begins at some x and ends at x = 1; flat, a sheet.
+/// Vectors and a tensor over a block that begins at some x and ends at x = 1; flat, a sheet.
 struct VectorFile {
   VectorFile(const std::string& name, double begin, bool isFlat, const std::string& vector = "flow")
       : directory(name), file(directory.path() / "vectors.vtk") {
@@ -40,6 +40,8 @@ struct VectorFile {
     write([&](double x, double y) { out << x << ' ' << y << ' ' << z << '\n'; });
     out << "POINT_DATA " << (cells + 1) * 9 * (layers + 1) << "\nVECTORS " << vector << " double\n";
     write([&](double x, double y) { out << x * (1.0 + y) << ' ' << 0.4 + x * x << " 0\n"; });
+    out << "VECTORS even double\n";
+    write([&](double, double) { out << "1 0.5 0\n"; });
     out << "SCALARS height double 1\nLOOKUP_TABLE default\n";
     write([&](double, double y) { out << y << '\n'; });
     out << "TENSORS sigma double\n";
@@ -47,6 +49,9 @@ struct VectorFile {
       const double xy = x * (0.5 + y);
       out << 1.0 << ' ' << xy << " 0 " << xy << ' ' << -y << " 0 0 0 0.3\n";
     });
+    const int numCells = cells * 8 * std::max(1, layers);
+    out << "CELL_DATA " << numCells << "\nVECTORS steady double\n";
+    for (int k = 0; k < numCells; ++k) out << "1 0.5 0\n";
   }
 
   Picture drawn(const ForeignOptions& options) const {
@@ -108,13 +113,16 @@ TEST(ForeignArrows, GoAlongTheDrawnVectorOrTheDisplacement) {
                       pixels(moved, "displacement.y", ArrowField::Displacement)),
             800)
       << "they differ in words alone";
+  EXPECT_LT(differing(pixels(flow, "even", ArrowField::Field), pixels(flow, "steady", ArrowField::Field)),
+            800)
+      << "of points and of cells";
   EXPECT_GT(
       differing(pixels(flow, "flow.y", ArrowField::Field), pixels(flow, "flow.y", ArrowField::Streamlines)),
       2000);
   const auto refused = [&](const VectorFile& file, const char* field, ArrowField arrows, const char* why) {
     EXPECT_THAT(messageOf([&] { file.drawn(optionsOf(field, arrows)); }), HasSubstr(why));
   };
-  refused(flow, "height", ArrowField::Field, "vectors: found field, and height is no vector at points");
+  refused(flow, "height", ArrowField::Field, "vectors: found field, and height is no vector of ");
   refused(flow, "flow", ArrowField::Displacement, "has no vector called displacement");
   refused(flow, "height", ArrowField::Streamlines, "streamlines go along the vector that is drawn");
   refused(flow, "flow", ArrowField::Traction, "vectors: only runs of burnish have contact tractions");
