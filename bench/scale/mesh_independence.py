@@ -105,6 +105,7 @@ CASES = [
     Case("octant of a ball on a plane, p = 2", "", OCTANT),
     Case("nu = 0.49, p = 2", PULLED, material=STIFF, steps=8),
     Case("nu = 0.49, p = 2, graded 1:20", PULLED, material=STIFF, grading=GRADED, steps=8),
+    Case("nu = 0.49, p = 3", PULLED, degree=3, material=STIFF, steps=8),
     Case("F-bar, p = 2", PULLED, formulation="fbar"),
     Case("F-bar, p = 3", PULLED, degree=3, formulation="fbar"),
     Case("nu = 0.49, F-bar, p = 2", PULLED, material=STIFF, formulation="fbar", steps=8),

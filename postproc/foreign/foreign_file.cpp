@@ -1,6 +1,6 @@
 #include "postproc/foreign/foreign_file.h"
 
-#include <vtkSMPTools.h>
+#include <SMP/Common/vtkSMPToolsAPI.h>  // vtkSMPTools.h is no C++20
 
 #include <cstdint>
 #include <optional>
@@ -23,7 +23,7 @@ ReadingProcess::Answer answerFrom(const fs::path& file) {
   return [file, source](std::int64_t question) -> ReadingProcess::Send {
     if (!*source) {
       // TBB's threads are not in this process, and the locks that they had when it began are never given back.
-      vtkSMPTools::SetBackend("Sequential");
+      vtk::detail::smp::vtkSMPToolsAPI::GetInstance().SetBackend("Sequential");
       *source = openForeign(file);
     }
     if (question == kTimes) return [times = (*source)->times()](const TakeBytes& take) { send(times, take); };
