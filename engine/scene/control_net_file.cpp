@@ -212,8 +212,9 @@ std::vector<std::string> netsOf(const std::string& name, const std::variant<Shap
 void completeShape(YamlNode& shape, const std::string& path, const NamingScene& scene, Diagnostics& errors) {
   const YamlNode* kind = shape.find("shape");
   if (kind == nullptr) return;
-  if (kind->text == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, scene, errors);
-  for (const std::string& key : netsOf(kind->text, BodyShape()))
+  const std::string name = kind->text;  // the keys of a file move what the mapping has
+  if (name == ControlNetBody::kind.key) complete(shape, path, NetOf::Body, scene, errors);
+  for (const std::string& key : netsOf(name, BodyShape()))
     if (YamlNode* net = shape.find(key); net != nullptr && net->kind == YamlNode::Kind::Mapping)
       complete(*net, fmt::format("{}.{}", path, key), NetOf::Profile, scene, errors);
 }
