@@ -213,6 +213,8 @@ SurfaceMesh exported(const Mesh& mesh) {
 }
 
 SurfaceMesh surfaceOf(std::vector<Point> points, Polygons polygons, bool open) {
+  if (polygons.empty()) throw Error("found faces without area, of which no triangles can be made");
+  requireUsable(points, polygons);
   Mesh mesh = meshOf(std::move(points), std::move(polygons));
   requireTriangles(mesh);
   requireSound(mesh, open);
@@ -242,7 +244,6 @@ SurfaceMesh readSurface(const std::filesystem::path& file, double scale, bool op
       if (const std::string damage = stlDamage(file); !damage.empty()) throw Error(damage);
     if (!readPolygonSoup(file, points, polygons) || polygons.empty())
       throw Error("found no surface; allowed: STL, OBJ, PLY or OFF files of triangles or polygons");
-    requireUsable(points, polygons);
     for (Point& p : points) p = Point(scale * p.x(), scale * p.y(), scale * p.z());
     return surfaceOf(std::move(points), std::move(polygons), open);
   } catch (const Error& error) {

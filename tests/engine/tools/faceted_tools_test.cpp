@@ -263,6 +263,22 @@ TEST(MeshTool, MistakesAreCountedAndPlaced) {
   EXPECT_THAT(mistakeIn(testing::TempDir()), HasSubstr("this is a directory; allowed: the file of a mesh"));
 }
 
+/// As CAD may give them: faces that have shrunk, and places that are no numbers.
+TEST(MeshTool, TrianglesOfNothingAreNone) {
+  const auto mistakeOf = [](const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xi& cells) -> std::string {
+    try {
+      soundSurface(points, cells, false);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Eigen::Matrix3Xd points = Eigen::Matrix3d::Identity();
+  EXPECT_THAT(mistakeOf(points, Eigen::Matrix3Xi(3, 0)), testing::HasSubstr("found faces without area"));
+  points(1, 1) = std::nan("");
+  EXPECT_THAT(mistakeOf(points, Eigen::Vector3i(0, 1, 2)), testing::HasSubstr("no number"));
+}
+
 TEST(MeshTool, PolygonsWhoseEdgesCrossAreNamed) {
   const Soup crossed{{{1, 1, 0}, {0, 0, 4}, {1, 1, 5}, {0, 0, 0}}, {{0, 1, 2, 3}}};
   EXPECT_THAT(mistakeIn(writeOff("crossed", crossed), true),
