@@ -91,8 +91,9 @@ class MultigridSolver::Implementation {
     } else {
       divisions_.push_back(problem.rows);
       for (const auto& P : prolongations) {
-        divisions_.push_back(coarseDivision(P, divisions_.back()));
-        prolongations_.push_back(ownRows(P, divisions_.end()[-2], divisions_.back()));
+        Division columns = coarseDivision(P, divisions_.back());
+        prolongations_.push_back(ownRows(P, divisions_.back(), columns));
+        divisions_.push_back(std::move(columns));
       }
     }
     const auto rank = static_cast<std::size_t>(team_.rank());
