@@ -1,11 +1,13 @@
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
 #include <BRepGProp_Face.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -262,11 +264,20 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, double extent) {
   return sewing.SewedShape();
 }
 
+/// A shell that is closed with its faces looking out of what it encloses; that of a void looks into it.
+TopoDS_Shape outwards(TopoDS_Shape shell) {
+  if (!BRep_Tool::IsClosed(shell)) return shell;
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shell, properties);
+  if (properties.Mass() < 0.0) shell.Reverse();
+  return shell;
+}
+
 void readSurface(const CadRequest& request, CadSurface& surface) {
   const Model model = modelOf(request.file);
   TopoDS_Shape shape = model.shape;
   if (!request.face.empty()) shape = partOf(model, TopAbs_FACE, "face", request.face);
-  if (!request.shell.empty()) shape = partOf(model, TopAbs_SHELL, "shell", request.shell);
+  if (!request.shell.empty()) shape = outwards(partOf(model, TopAbs_SHELL, "shell", request.shell));
   if (!request.solid.empty()) shape = partOf(model, TopAbs_SOLID, "solid", request.solid);
   const auto faces = facesOf(shape);
   if (faces.empty()) throw Error("found no face in the file; allowed: faces, shells or solids");

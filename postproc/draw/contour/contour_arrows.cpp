@@ -45,20 +45,26 @@ Eigen::Vector3d tuple(vtkDataArray& array, vtkIdType k) {
 }
 
 /// Numbers of the points of a surface that face the eye; all of a plane body.
-std::vector<vtkIdType> facingPoints(vtkPolyData& body, const View& view) {
-  vtkDataArray* normals = body.GetPointData()->GetNormals();
+std::vector<vtkIdType> facingPoints(const ArrowGround& ground, const View& view) {
+  constexpr double kFacing = 0.1;
+  vtkPolyData& surface = *ground.surface;
+  vtkDataArray* normals = surface.GetPointData()->GetNormals();
   std::vector<vtkIdType> result;
-  for (vtkIdType k = 0; k < body.GetNumberOfPoints(); ++k)
-    if (!normals ||
-        tuple(*normals, k).dot(view.towardsEye(Eigen::Map<const Eigen::Vector3d>(body.GetPoint(k)))) > 0.1)
-      result.push_back(k);
+  for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) {
+    double cosine = 1.0;
+    if (normals)
+      cosine =
+          tuple(*normals, k).dot(view.towardsEye(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k))));
+    if ((ground.isOneSided ? cosine : std::abs(cosine)) > kFacing) result.push_back(k);
+  }
   return result;
 }
 
-VectorPoints vectorsOn(vtkPolyData& surface, const View& view) {
+VectorPoints vectorsOn(const ArrowGround& ground, const View& view) {
+  vtkPolyData& surface = *ground.surface;
   vtkDataArray& vectors = *surface.GetPointData()->GetArray("vectors");
   VectorPoints result;
-  for (const vtkIdType k : facingPoints(surface, view))
+  for (const vtkIdType k : facingPoints(ground, view))
     result.add(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k)), tuple(vectors, k));
   return result;
 }
@@ -271,7 +277,7 @@ ContourArrows crosses(const ArrowGround& ground, const View& view, const Sight& 
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>> solutions;
   std::vector<double> sizes;
-  for (const vtkIdType k : facingPoints(body, view)) {
+  for (const vtkIdType k : facingPoints(ground, view)) {
     points.emplace_back(body.GetPoint(k));
     solutions.push_back(principal(body, k, ground.dim, symmetries));
     sizes.push_back(solutions.back().eigenvalues().cwiseAbs().maxCoeff());
@@ -330,7 +336,8 @@ ArrowGround tractionGround(const ModelRecord& model, const FrameRecord& frame) {
   }
   Eigen::Matrix3Xd vectors(3, std::ssize(tractions));
   for (Eigen::Index k = 0; k < vectors.cols(); ++k) vectors.col(k) = tractions[static_cast<std::size_t>(k)];
-  ArrowGround ground{model.dim, places.finish(), "contact traction", model.stressUnit};
+  ArrowGround ground{
+      .dim = model.dim, .surface = places.finish(), .name = "contact traction", .unit = model.stressUnit};
   ground.surface->GetPointData()->AddArray(makeArray("vectors", vectors, kAxes));
   return ground;
 }
@@ -342,7 +349,7 @@ ContourArrows contourArrows(ArrowField field, const ArrowGround& ground, vtkPoly
   if (field == ArrowField::Streamlines) return curvedArrows(ground, view, longest);
   if (field == ArrowField::Principal) return crosses(ground, view, sight, longest, symmetries);
   const bool traction = field == ArrowField::Traction;
-  const VectorPoints all = vectorsOn(*ground.surface, view);
+  const VectorPoints all = vectorsOn(ground, view);
   std::vector<double> sizes;
   for (const Eigen::Vector3d& vector : all.vectors) sizes.push_back(vector.norm());
   const std::vector<std::size_t> drawn =

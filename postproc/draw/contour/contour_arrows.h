@@ -31,6 +31,7 @@ struct ArrowGround {
   vtkSmartPointer<vtkPolyData>
       surface;             ///< point data: `vectors`, or `stress` (xx, yy, zz, xy, yz, zx), which any tensor
                            ///< may be; in space also normals
+  bool isOneSided = true;  ///< its normals point out of the body; of others those of either side may be seen
   std::string name, unit;  ///< of what is shown; the unit may be empty
 };
 

@@ -459,8 +459,10 @@ ContourParts contourParts(const ModelRecord& model, const FrameRecord& frame, co
     addArrows(parts,
               options.arrows == ArrowField::Traction
                   ? tractionGround(model, frame)
-                  : ArrowGround{model.dim, surface, isStress ? "stress" : "displacement",
-                                isStress ? model.stressUnit : model.lengthUnit},
+                  : ArrowGround{.dim = model.dim,
+                                .surface = surface,
+                                .name = isStress ? "stress" : "displacement",
+                                .unit = isStress ? model.stressUnit : model.lengthUnit},
               *surface, options);
   }
   parts.mark = options.mark;

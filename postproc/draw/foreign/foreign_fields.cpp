@@ -117,12 +117,13 @@ vtkDataArray* arrayIn(const ForeignBlock& block, const ForeignField& field) {
   return array && static_cast<std::size_t>(array->GetNumberOfComponents()) == count ? array : nullptr;
 }
 
-/// Of each point the mean of what the cells about it have (rows x cells).
+/// Of each point the mean of what the cells about it have (rows x cells), as far as that is finite; zero else.
 Eigen::MatrixXd meansAtPoints(vtkUnstructuredGrid& grid, const Eigen::MatrixXd& ofCells) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(ofCells.rows(), grid.GetNumberOfPoints());
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(sums.cols());
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+    if (!ofCells.col(cell).allFinite()) continue;
     grid.GetCellPoints(cell, points);
     for (const vtkIdType point : *points) {
       sums.col(point) += ofCells.col(cell);
@@ -132,7 +133,8 @@ Eigen::MatrixXd meansAtPoints(vtkUnstructuredGrid& grid, const Eigen::MatrixXd& 
   return sums * counts.cwiseMax(1.0).cwiseInverse().asDiagonal();
 }
 
-/// Rows of the components of an array at points, the means of those with the same row. rowOf: of a component, if it has one.
+/// Rows of the components of an array at points, the means of those with the same row; zero where one of them is not finite.
+/// rowOf: of a component, if it has one.
 Eigen::MatrixXd componentsAt(const ForeignBlock& block, const ForeignField& field, Eigen::Index rows,
                              const std::function<std::optional<std::size_t>(std::size_t)>& rowOf) {
   vtkDataArray* array = arrayIn(block, field);
@@ -144,13 +146,14 @@ Eigen::MatrixXd componentsAt(const ForeignBlock& block, const ForeignField& fiel
     if (!row) continue;
     const auto at = static_cast<Eigen::Index>(*row);
     counts(at) += 1.0;
-    for (Eigen::Index k = 0; k < values.cols(); ++k) {
-      const double value = array->GetComponent(k, static_cast<int>(component));
-      if (std::isfinite(value)) values(at, k) += value;
-    }
+    for (Eigen::Index k = 0; k < values.cols(); ++k)
+      values(at, k) += array->GetComponent(k, static_cast<int>(component));
   }
   values = (counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * values).eval();
-  return field.ofCells ? meansAtPoints(*block.grid, values) : values;
+  if (field.ofCells) return meansAtPoints(*block.grid, values);
+  for (auto value : values.colwise())
+    if (!value.allFinite()) value.setZero();
+  return values;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct ForeignField {
   std::vector<std::string> components;  ///< x, xx, 0, ...; none of a scalar
 
   /// Whether its length is meant by its name alone.
-  bool isVector() const { return components.size() == 2 || components.size() == 3; }
+  bool isVector() const { return (components.size() == 2 || components.size() == 3) && !isTensor(); }
   /// Whether its components are called xx, yy, ...
   bool isTensor() const;
 };

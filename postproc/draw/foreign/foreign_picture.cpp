@@ -171,6 +171,10 @@ class SubjectMaker {
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
+    if (options_.arrows == ArrowField::Streamlines && !isFlat && !options_.slice)
+      throw Error(fmt::format(
+          "vectors: found streamlines, which are drawn in a plane, and {} is a body in space: add slice",
+          file_.file().string()));
     const ValuePlaces places = placesOf(*cells.with);
     subject.ranges.whole = subject.ranges.shown = rangeOf(places);
     if (options_.clip && choice_) subject.ranges.shown = clipped(cells.with, subject.ranges.whole);
@@ -219,28 +223,30 @@ class SubjectMaker {
   void chooseArrows() {
     if (options_.arrows == ArrowField::None || (fields_.empty() && file_.times().size() > 1)) return;
     const std::string file = file_.file().string();
-    const ForeignField* const own = choice_ ? &choice_->field : nullptr;
     const bool isPrincipal = options_.arrows == ArrowField::Principal;
-    const ForeignField* shown = nullptr;
-    if (options_.arrows != ArrowField::Displacement && own &&
-        (isPrincipal ? own->isTensor() : own->isVector()))
-      shown = own;
-    if (!shown && options_.arrows == ArrowField::Field)
+    if (choice_ && options_.arrows != ArrowField::Displacement &&
+        (isPrincipal ? choice_->field.isTensor() : choice_->field.isVector())) {
+      arrows_ = choice_->field;
+      arrowName_ = arrows_->name;
+      return;
+    }
+    if (options_.arrows == ArrowField::Field)
       throw Error(fmt::format(
-          "vectors: found field, and {} is no vector of {}; draw one, or give displacement, principal or streamlines",
-          options_.field.empty() ? "none" : options_.field, file));
-    if (!shown) shown = isPrincipal ? stressAmong(fields_) : displacementAmong(fields_);
-    if (!shown && isPrincipal)
-      throw Error(
-          fmt::format("vectors: {} has no tensor called stress, stresses, s or sigma; "
-                      "draw a component of the tensor whose principal values are meant",
-                      file));
-    if (!shown)
+          "vectors: found field, and {} of {}; draw one, or give displacement, principal or streamlines",
+          options_.field.empty() ? "no field is drawn" : options_.field + " is no vector", file));
+    const ForeignField* usual = isPrincipal ? stressAmong(fields_) : displacementAmong(fields_);
+    if (!usual && isPrincipal)
+      throw Error(fmt::format(
+          "vectors: {} has no tensor with components xx, yy, ... called stress, cauchy_stress, stresses, s or "
+          "sigma; draw a component of the tensor whose principal values are meant",
+          file));
+    if (!usual)
       throw Error(
           fmt::format("vectors: {} has no vector called displacement, displacements, disp, displ or u "
                       "at its points; {} along the vector that is drawn",
                       file, options_.arrows == ArrowField::Streamlines ? "streamlines go" : "field goes"));
-    arrows_ = *shown;
+    arrows_ = *usual;
+    arrowName_ = isPrincipal ? "stress" : "displacement";
   }
 
   /// Gives the points of a grid what arrows show there.
@@ -470,11 +476,9 @@ class SubjectMaker {
     }
     if (vtkDataArray* vectors = ground->GetPointData()->GetArray("vectors"); vectors && dim == 2)
       vectors->FillComponent(2, 0.0);
-    const auto isUsual = [&](const ForeignField* usual) { return usual && usual->array == arrows_->array; };
-    const std::string name = isUsual(displacementAmong(fields_)) ? "displacement"
-                             : isUsual(stressAmong(fields_))     ? "stress"
-                                                                 : arrows_->name;
-    addArrows(parts, {dim, ground, name, arrows_->unit}, *ground, options_);
+    addArrows(parts,
+              {.dim = dim, .surface = ground, .isOneSided = false, .name = arrowName_, .unit = arrows_->unit},
+              *ground, options_);
   }
 
   /// Those of the cells where the drawn field lies between the ends of the threshold: cells are cut where points have
@@ -546,10 +550,10 @@ class SubjectMaker {
     vtkDataArray& drawn = *cells.GetPointData()->GetArray("drawn");
     Eigen::VectorXd values(drawn.GetNumberOfTuples());
     for (vtkIdType k = 0; k < values.size(); ++k) values(k) = drawn.GetComponent(k, 0);
-    // Lengths may be smaller than at all points of a cell.
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    // Lengths may be beyond those at all points of a cell.
     const bool areLengths = cells.GetPointData()->GetArray("drawn_vector") != nullptr;
-    return linearParts(cells, values,
-                       {ends[0], areLengths ? std::numeric_limits<double>::infinity() : ends[1]});
+    return linearParts(cells, values, areLengths ? std::array{-kInfinite, kInfinite} : ends);
   }
 
   /// Where the drawn field has these values.
@@ -681,6 +685,7 @@ class SubjectMaker {
   std::vector<ForeignField> fields_;
   std::optional<ForeignChoice> choice_;
   std::optional<ForeignField> arrows_;        ///< what arrows show
+  std::string arrowName_;                     ///< what they call it
   Eigen::Index numGaps_ = 0, numPlaces_ = 0;  ///< points or cells without a finite value, and all
 };
 

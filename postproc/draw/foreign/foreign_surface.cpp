@@ -110,8 +110,10 @@ class CellCollector {
     const double drawn = values ? values->GetComponent(id, 0) : 0.0;
     const auto isSame = [&](const Copy& copy) {
       constexpr double kRounding = 1e-9;
-      return copy.grid == &grid || std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn) ||
-             (std::isnan(copy.drawn) && std::isnan(drawn));
+      if (copy.grid == &grid) return true;
+      const bool isDrawnAlike = std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn) ||
+                                (std::isnan(copy.drawn) && std::isnan(drawn));
+      return isDrawnAlike && hasArrowsOf(copy.number, grid, id);
     };
     const auto found = std::find_if(copies_[place].begin(), copies_[place].end(), isSame);
     if (found != copies_[place].end()) return found->number;
@@ -119,6 +121,20 @@ class CellCollector {
     cells_->GetPointData()->CopyData(grid.GetPointData(), id, number);
     copies_[place].push_back({&grid, drawn, number});
     return number;
+  }
+
+  /// Whether arrows show the same at a point that has been taken and at one of a grid.
+  bool hasArrowsOf(vtkIdType taken, vtkUnstructuredGrid& grid, vtkIdType id) const {
+    constexpr double kRounding = 1e-9;
+    for (const char* name : {"vectors", "stress"}) {
+      vtkDataArray* theirs = grid.GetPointData()->GetArray(name);
+      vtkDataArray* ours = cells_->GetPointData()->GetArray(name);
+      for (int k = 0; theirs && ours && k < theirs->GetNumberOfComponents(); ++k) {
+        const double value = theirs->GetComponent(id, k);
+        if (std::abs(ours->GetComponent(taken, k) - value) > kRounding * std::abs(value)) return false;
+      }
+    }
+    return true;
   }
 
   Places places_;
@@ -242,8 +258,24 @@ vtkSmartPointer<vtkUnstructuredGrid> shownCells(
 
 vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, const MirrorPlane& plane,
                                                    double sign) {
+  constexpr double kOnPlane = 1e-6;  // of the length
+  const auto isOnPlane = [&, length = cells.GetLength()](vtkIdType point) {
+    return std::abs(cells.GetPoint(point)[plane.axis] - plane.at) <= kOnPlane * length;
+  };
   const auto image = vtkSmartPointer<vtkUnstructuredGrid>::New();
   image->DeepCopy(&cells);
+  // The components across the plane, and the shear stresses on it.
+  for (const auto& [name, components] :
+       {std::pair{"vectors", std::vector{plane.axis}},
+        std::pair{"stress", std::vector{3 + plane.axis, 3 + (plane.axis + 2) % 3}}}) {
+    vtkDataArray* ours = cells.GetPointData()->GetArray(name);
+    vtkDataArray* theirs = image->GetPointData()->GetArray(name);
+    for (vtkIdType k = 0; ours && k < ours->GetNumberOfTuples(); ++k)
+      for (const int component : components) {
+        if (isOnPlane(k)) ours->SetComponent(k, component, 0.0);
+        theirs->SetComponent(k, component, -ours->GetComponent(k, component));
+      }
+  }
   if (hasCurved(cells)) turnCurved(cells, *image);
   for (vtkIdType k = 0; k < image->GetNumberOfPoints(); ++k) {
     std::array<double, 3> point{};
@@ -257,14 +289,6 @@ vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, c
     if (vtkDataArray* drawn = data->GetArray("drawn"))
       for (vtkIdType k = 0; k < drawn->GetNumberOfTuples(); ++k)
         drawn->SetComponent(k, 0, sign * drawn->GetComponent(k, 0));
-  const auto turn = [&](const char* name, const std::vector<int>& components) {
-    vtkDataArray* array = image->GetPointData()->GetArray(name);
-    for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
-      for (const int component : components)
-        array->SetComponent(k, component, -array->GetComponent(k, component));
-  };
-  turn("vectors", {plane.axis});
-  turn("stress", {3 + plane.axis, 3 + (plane.axis + 2) % 3});  // the shear stresses across the plane
   return image;
 }
 

@@ -20,8 +20,8 @@ inline constexpr int kCurvedParts = 3;
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
     const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids);
 
-/// The image in a plane, also of the point data `vectors` and `stress` (xx, yy, zz, xy, yz, zx), which arrows show. sign:
-/// what becomes of the values that are drawn.
+/// The image in a plane, also of the point data `vectors` and `stress` (xx, yy, zz, xy, yz, zx), which arrows show: at points on
+/// the plane they lose what changes its sign there, in the cells as well. sign: what becomes of the values that are drawn.
 vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, const MirrorPlane& plane,
                                                    double sign);
 

@@ -219,6 +219,20 @@ TEST_F(Cad, AShellIsChosenByNumber) {
   EXPECT_NEAR(outer.query({1.5, 1.5, 3.5}).gap, 0.5, 1e-6);
   EXPECT_NEAR(outer.query({1.5, 1.5, 2.5}).gap, -0.5, 1e-6) << "filled: the void is another shell";
   EXPECT_LT(outer.query({1.5, 1.5, 1.5}).gap, -1.0);
+  const auto inside = toolOf(file, [](CadTool& tool) {
+                        tool.shell = "2";
+                        tool.smoothing = 0.05;
+                      }).made();
+  EXPECT_NEAR(inside.query({1.5, 1.5, 2.5}).gap, 0.5, 1e-6) << "the tool is the cube in the void";
+  EXPECT_LT(inside.query({1.5, 1.5, 1.7}).gap, 0.0);
+  const std::string round = step(
+      "round.step",
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-4, -4, -4), 20.0, 20.0, 20.0).Shape(), ball()).Shape());
+  const CadListing hollow = listCad(round);
+  ASSERT_EQ(hollow.shells.size(), 2U);
+  const std::string ofBall = hollow.shells[0].faces == 1 ? "1" : "2";
+  EXPECT_LT(offFrom(toolOf(round, [&](CadTool& tool) { tool.shell = ofBall; }).made(), {1, 2, 3}, 2.5), 1e-9)
+      << "one face, exact";
   const auto ends = toolOf(file, [](CadTool& tool) {
                       tool.shell = "3";
                       tool.open = true;

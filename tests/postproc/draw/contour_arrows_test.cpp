@@ -36,7 +36,8 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
 Places beginsOf(const Places& points, double longest, vtkPolyData* before = nullptr, bool inSpace = false,
                 const View& view = {}) {
   const ContourArrows arrows =
-      contourArrows(ArrowField::Displacement, {inSpace ? 3 : 2, ground(points, inSpace), "displacement", ""},
+      contourArrows(ArrowField::Displacement,
+                    {.dim = inSpace ? 3 : 2, .surface = ground(points, inSpace), .name = "displacement"},
                     before, view, longest, {});
   Places begins;
   constexpr vtkIdType kCorners = 8;  // the first of an arrow is its tip

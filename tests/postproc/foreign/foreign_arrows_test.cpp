@@ -103,6 +103,28 @@ TEST(ForeignArrows, OfAHalfAndItsImageAreThoseOfTheWhole) {
   }
 }
 
+/// A sheet in space has no outside: from either side it is seen with its arrows, which are each other's mirror images.
+TEST(ForeignArrows, OfASheetAreSeenFromBothSides) {
+  const test::ScratchDirectory directory("foreign_arrows_sheet");
+  std::filesystem::create_directories(directory.path());
+  const std::filesystem::path file = directory.path() / "sheet.vtk", name = directory.path() / "sheet.png";
+  std::ofstream out(file);
+  out << "# vtk DataFile Version 3.0\nsheet\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 9 9 1\nPOINTS 81 double\n";
+  for (int k = 0; k < 81; ++k) out << k % 9 / 8.0 << ' ' << k / 9 / 8.0 << ' ' << 1e-3 * (k % 9) << '\n';
+  out << "POINT_DATA 81\nVECTORS flow double\n";
+  for (int k = 0; k < 81; ++k) out << "0.2 1 0\n";
+  out.close();
+  for (const char* view : {"0,0,1", "0,0,-1"}) {
+    ForeignOptions options = optionsOf("flow", ArrowField::Field);
+    options.view.name = view;
+    drawForeign(ForeignFile(file), {0}, options, {name});
+    const Picture with = readPicture(name);
+    options.arrows = ArrowField::None;
+    drawForeign(ForeignFile(file), {0}, options, {name});
+    EXPECT_GT(differing(with, readPicture(name)), 2000) << view;
+  }
+}
+
 TEST(ForeignArrows, GoAlongTheDrawnVectorOrTheDisplacement) {
   const VectorFile flow("foreign_arrows_flow", -1.0, true),
       moved("foreign_arrows_moved", -1.0, true, "displacement");
@@ -126,6 +148,8 @@ TEST(ForeignArrows, GoAlongTheDrawnVectorOrTheDisplacement) {
   refused(flow, "flow", ArrowField::Displacement, "has no vector called displacement");
   refused(flow, "height", ArrowField::Streamlines, "streamlines go along the vector that is drawn");
   refused(flow, "flow", ArrowField::Traction, "vectors: only runs of burnish have contact tractions");
+  const VectorFile block("foreign_arrows_block", -1.0, false);
+  refused(block, "flow", ArrowField::Streamlines, "is a body in space: add slice");
   EXPECT_NO_THROW(moved.drawn(optionsOf("height", ArrowField::Streamlines)));
   EXPECT_NO_THROW(flow.drawn(optionsOf("height", ArrowField::Principal))) << "sigma";
 }

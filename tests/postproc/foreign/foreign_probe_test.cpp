@@ -102,6 +102,23 @@ TEST(ForeignProbe, VolumesAreLookedInto) {
   EXPECT_NEAR(run.points.back().values(0), 5.0, 1e-9);
 }
 
+/// Opposite vectors at the ends of a cell: in its middle nothing is left of them.
+TEST(ForeignProbe, TheLengthOfAVectorIsThatOfWhatLiesBetween) {
+  const fs::path name =
+      fs::temp_directory_path() / ("burnish_between_" + std::to_string(::getpid()) + ".vtk");
+  std::ofstream(name)
+      << "# vtk DataFile Version 3.0\nbetween\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 1\n"
+         "POINTS 4 double\n0 0 0 1 0 0 0 1 0 1 1 0\nPOINT_DATA 4\nVECTORS v double\n"
+         "3 4 0 -3 -4 0 3 4 0 -3 -4 0\n";
+  const ProbedRun run = probedInstant(ForeignFile(name), 0, along("0,0.5:1,0.5", {"v", "v.x"}));
+  for (const ProbePoint& point : run.points) {
+    const double rest = 1.0 - 2.0 * point.current(0);
+    EXPECT_NEAR(point.values(0), 5.0 * std::abs(rest), 1e-9);
+    EXPECT_NEAR(point.values(1), 3.0 * rest, 1e-9);
+  }
+  fs::remove(name);
+}
+
 /// Two rows of cells whose border is rounded to one side or the other: values are those of one row.
 TEST(ForeignProbe, ALineAlongABorderStaysOnOneSide) {
   constexpr int kCount = 40;
