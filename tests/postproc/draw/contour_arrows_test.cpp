@@ -35,10 +35,10 @@ vtkSmartPointer<vtkPolyData> ground(const Places& points, bool inSpace) {
 /// Where arrows as long as `longest` begin.
 Places beginsOf(const Places& points, double longest, vtkPolyData* before = nullptr, bool inSpace = false,
                 const View& view = {}) {
-  const ContourArrows arrows =
-      contourArrows(ArrowField::Displacement,
-                    {.dim = inSpace ? 3 : 2, .surface = ground(points, inSpace), .name = "displacement"},
-                    before, view, longest, {});
+  const ContourArrows arrows = contourArrows(
+      ArrowField::Displacement,
+      {.dim = inSpace ? 3 : 2, .surface = ground(points, inSpace), .name = "displacement", .unit = ""},
+      before, view, longest, {});
   Places begins;
   constexpr vtkIdType kCorners = 8;  // the first of an arrow is its tip
   for (vtkIdType k = 0; arrows.edges && k < arrows.edges->GetNumberOfPoints(); k += kCorners)
