@@ -153,7 +153,9 @@ std::string geometryText(const GeometryListing& listing) {
   };
   for (std::size_t k = 0; k < listing.shells.size(); ++k) {
     const CadPart& shell = listing.shells[k];
-    if (shell.solid > 0 && std::ranges::count(listing.shells, shell.solid, &CadPart::solid) == 1) continue;
+    const bool isSolid =
+        shell.solid > 0 && std::ranges::count(listing.shells, shell.solid, &CadPart::solid) == 1;
+    if (isSolid || shell.faces == 1) continue;  // its solid, or its face, stands for it
     text += infoLine("shell", fmt::format("{}{} faces{}, {}", beginOf(k + 1, shell.name), shell.faces,
                                           ofSolid(shell), boxText(shell.box)));
   }
