@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "engine/solver/petsc/matrix_blocks.h"
+#include "engine/solver/petsc/prolongation_rows.h"
 
 namespace burnish::inline solver {
 namespace {
@@ -12,29 +12,13 @@ namespace {
 using petsc::check;
 using petsc::rowsOf;
 
-/// Some rows of a prolongation. columnOf: number of a column among those that are kept.
-template <class ColumnOf>
-Hierarchy::Prolongation rowsAt(const Hierarchy::Prolongation& P, const std::vector<int>& rows,
-                               Eigen::Index numColumns, const ColumnOf& columnOf) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (Hierarchy::Prolongation::InnerIterator entry(P, rows[row]); entry; ++entry)
-      entries.emplace_back(static_cast<int>(row), columnOf(static_cast<int>(entry.col())), entry.value());
-  Hierarchy::Prolongation some(std::ssize(rows), numColumns);
-  some.setFromTriplets(entries.begin(), entries.end());
-  return some;
-}
-
 }  // namespace
 
 DividedProduct::DividedProduct(Mat A, const RowGroups& groups, const Hierarchy::Prolongation& P,
                                const Division& rows, const Division& columns)
     : rank_(columns.rank), ranks_(PetscObjectComm(reinterpret_cast<PetscObject>(A))) {
   check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag_));
-  std::vector<int> placeOf(columns.order.size());
-  for (std::size_t place = 0; place < placeOf.size(); ++place)
-    placeOf[static_cast<std::size_t>(columns.order[place])] = static_cast<int>(place);
-  makeProduct(A, groups, P, rows, placeOf);
+  makeProduct(A, groups, P, rows, placesIn(columns));
   for (const int begin : columns.begins)
     begins_.push_back(static_cast<int>(std::ranges::lower_bound(places_, begin) - places_.begin()));
   makeMatrix(patternsOfRanks(), columns, static_cast<int>(P.cols()));
@@ -46,12 +30,11 @@ void DividedProduct::makeProduct(Mat A, const RowGroups& groups, const Hierarchy
   PetscInt count = 0;
   const PetscInt* numbers = nullptr;
   check(MatGetGhosts(A, &count, &numbers));
-  const std::vector<int> own(rows.own().begin(), rows.own().end());
   std::vector<int> elsewhere;
   for (const PetscInt place : std::span(numbers, static_cast<std::size_t>(count)))
     elsewhere.push_back(rows.order[static_cast<std::size_t>(place)]);
-  for (const auto* some : {&std::as_const(own), &std::as_const(elsewhere)})
-    for (const int row : *some)
+  for (const std::span<const int> some : {rows.own(), std::span<const int>(elsewhere)})
+    for (const int row : some)
       for (Hierarchy::Prolongation::InnerIterator entry(P, row); entry; ++entry)
         places_.push_back(placeOf[static_cast<std::size_t>(entry.col())]);
   std::ranges::sort(places_);
@@ -60,8 +43,8 @@ void DividedProduct::makeProduct(Mat A, const RowGroups& groups, const Hierarchy
     return static_cast<int>(std::ranges::lower_bound(places_, placeOf[static_cast<std::size_t>(column)]) -
                             places_.begin());
   };
-  own_ = rowsAt(P, own, std::ssize(places_), columnOf);
-  ofElsewhere_ = rowsAt(P, elsewhere, std::ssize(places_), columnOf);
+  own_ = someRows(P, rows.own(), std::ssize(places_), columnOf);
+  ofElsewhere_ = someRows(P, elsewhere, std::ssize(places_), columnOf);
   product_.emplace(groups, own_, rowsOf(blocks.offDiagonal), ofElsewhere_);
 }
 

@@ -17,6 +17,7 @@
 #include "engine/solver/petsc/level_smoother.h"
 #include "engine/solver/petsc/library.h"
 #include "engine/solver/petsc/matrix_blocks.h"
+#include "engine/solver/petsc/prolongation_rows.h"
 #include "engine/solver/petsc/vectors.h"
 
 namespace burnish::inline solver {
@@ -379,22 +380,14 @@ class MultigridSolver::Implementation {
   /// This rank's rows of a prolongation, as the library has them: rows and columns in the order of divisions.
   static petsc::Matrix ownRows(const Hierarchy::Prolongation& P, const Division& rows,
                                const Division& columns) {
-    std::vector<int> places(columns.order.size());  // of columns
-    for (std::size_t place = 0; place < places.size(); ++place)
-      places[static_cast<std::size_t>(columns.order[place])] = static_cast<int>(place);
-    const auto count = static_cast<int>(rows.own().size());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int row = 0; row < count; ++row)
-      for (Hierarchy::Prolongation::InnerIterator entry(P, rows.own()[static_cast<std::size_t>(row)]); entry;
-           ++entry)
-        entries.emplace_back(row, places[static_cast<std::size_t>(entry.col())], entry.value());
-    Hierarchy::Prolongation own(count, P.cols());
-    own.setFromTriplets(entries.begin(), entries.end());
+    const std::vector<int> places = placesIn(columns);
+    const auto own = someRows(P, rows.own(), P.cols(),
+                              [&](int column) { return places[static_cast<std::size_t>(column)]; });
     petsc::Matrix matrix;
-    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, count, static_cast<PetscInt>(columns.own().size()),
-                                    static_cast<PetscInt>(P.rows()), static_cast<PetscInt>(P.cols()),
-                                    own.outerIndexPtr(), own.innerIndexPtr(), own.valuePtr(),
-                                    matrix.place()));
+    check(MatCreateMPIAIJWithArrays(
+        PETSC_COMM_WORLD, static_cast<PetscInt>(own.rows()), static_cast<PetscInt>(columns.own().size()),
+        static_cast<PetscInt>(P.rows()), static_cast<PetscInt>(P.cols()), own.outerIndexPtr(),
+        own.innerIndexPtr(), own.valuePtr(), matrix.place()));
     return matrix;
   }
 

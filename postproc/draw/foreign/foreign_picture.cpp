@@ -87,8 +87,7 @@ void setDrawn(vtkUnstructuredGrid& grid, const Eigen::VectorXd& values, bool ofC
   const Eigen::VectorXd drawn = values.array().isFinite().select(values, kNone);
   data->AddArray(makeArray("drawn", drawn.transpose(), {}));
   if (vectors.size() == 0) return;
-  Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(3, vectors.cols());
-  kept.topRows(vectors.rows()) = vectors;
+  Eigen::MatrixXd kept = inSpace(vectors);
   for (Eigen::Index k = 0; k < kept.cols(); ++k)
     if (std::isnan(drawn(k))) kept.col(k).setConstant(kNone);
   data->AddArray(makeArray("drawn_vector", kept, {}));
