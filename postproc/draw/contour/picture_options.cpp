@@ -142,7 +142,7 @@ void checkView(const PictureOptions& options, std::optional<int> dim, std::vecto
     if (const auto problem = directionProblem(options.field)) problems.push_back({"vectors", *problem});
   if (options.arrows == ArrowField::Streamlines && dim == 3 && !options.slice)
     problems.push_back({"vectors", "found streamlines, which are drawn in a plane: add slice."});
-  if (options.arrows == ArrowField::Traction && options.warp != 1.0)
+  if (options.arrows == ArrowField::Traction && options.warp != 1.0 && !options.ofOthers)
     problems.push_back(
         {"warp", "contact tractions belong to the true displacements; draw them without a warp."});
 }
