@@ -8,6 +8,7 @@
 #include "cli/fastest_program.h"
 #include "cli/faults.h"
 #include "cli/help_format.h"
+#include "cli/late_vtk.h"
 #include "cli/ranks.h"
 #include "cli/usage_error.h"
 #include "engine/core/error.h"
@@ -87,7 +88,7 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // whoever reads the progress may go away; the results are still wanted
     startFastest(argv);
   }
-  silenceVtk();
+  whenVtkIsThere(silenceVtk);
   const ExitCode done = guarded([&] {
     if (computing) joinRanks(argv[1]);
     return execute(argc, argv);

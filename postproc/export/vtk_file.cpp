@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 #include <vtkAbstractArray.h>
-#include <vtkCell.h>
 #include <vtkCellData.h>
-#include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -23,31 +20,13 @@
 
 #include "engine/core/atomic_file.h"
 #include "engine/core/error.h"
+#include "postproc/export/curved_grid_writer.h"
 #include "postproc/mesh/vtk_arrays.h"
 #include "postproc/text/page.h"
 #include "postproc/text/plain_time.h"
 
 namespace burnish {
 namespace {
-
-/// Marks files of curved hexahedra as of version 2.2: those of earlier versions are read with two points
-/// exchanged, because VTK had another order of points once. Other cells are of version 1.0, which more
-/// programs take; VTK 9.1 itself writes version 0.1.
-class CurvedGridWriter : public vtkXMLUnstructuredGridWriter {
- public:
-  static CurvedGridWriter* New();
-
- protected:
-  int GetDataSetMajorVersion() override { return isOfVolumes() ? 2 : 1; }
-  int GetDataSetMinorVersion() override { return isOfVolumes() ? 2 : 0; }
-
- private:
-  bool isOfVolumes() {
-    vtkDataSet* data = GetInputAsDataSet();
-    return data->GetNumberOfCells() > 0 && data->GetCell(0)->GetCellDimension() == 3;
-  }
-};
-vtkStandardNewMacro(CurvedGridWriter);
 
 /// Gives all arrays of a data set names that can stand in XML, which VTK 9.1 writes as they are; its readers
 /// give the names back. For the life of the object.

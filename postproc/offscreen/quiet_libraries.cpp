@@ -3,10 +3,6 @@
 #include <pwd.h>
 #include <stdlib.h>
 #include <unistd.h>
-#include <vtkLogger.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,13 +11,6 @@
 
 namespace burnish {
 namespace {
-
-class SilentWindow : public vtkOutputWindow {
- public:
-  static SilentWindow* New();
-  void DisplayText(const char*) override {}
-};
-vtkStandardNewMacro(SilentWindow);
 
 /// Where Mesa keeps compiled shaders, or nothing.
 std::filesystem::path shaderCache() {
@@ -32,12 +21,6 @@ std::filesystem::path shaderCache() {
 }
 
 }  // namespace
-
-void silenceVtk() {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  const vtkNew<SilentWindow> window;
-  vtkOutputWindow::SetInstance(window);
-}
 
 void prepareMesa() {
   const char* driver = std::getenv("GALLIUM_DRIVER");

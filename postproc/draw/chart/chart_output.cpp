@@ -6,12 +6,10 @@
 #include <vtkContext2D.h>
 #include <vtkContextActor.h>
 #include <vtkContextDevice2D.h>
-#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -36,6 +34,7 @@
 #include "engine/core/error.h"
 #include "engine/core/module_function.h"
 #include "engine/core/output_file.h"
+#include "postproc/draw/chart/chart_scene.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
@@ -46,26 +45,15 @@ namespace {
 
 constexpr double kPointsPerPixel = 0.75;  ///< of SVG
 
-/// Paints a sketch, `scale` times larger, in a scene of VTK, whatever that becomes: pixels or SVG.
-class SketchItem : public vtkContextItem {
+/// Paints a sketch, `scale` times larger.
+class SketchPainter {
  public:
-  static SketchItem* New();
-  SketchItem() { movedByStrips_->VisibilityOff(); }
+  SketchPainter(const ChartSketch& sketch, double scale) : sketch_(sketch), scale_(scale) {}
 
-  void set(const ChartSketch& sketch, double scale) {
-    sketch_ = &sketch;
-    scale_ = scale;
-  }
-
-  /// The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
-  /// not move, but this actor does.
-  vtkActor2D& movedByStrips() { return *movedByStrips_; }
-
-  bool Paint(vtkContext2D* painter) override {
-    const double shift = movedByStrips_->GetPosition()[1];
-    for (const auto& shape : sketch_->shapes)
-      std::visit([&](const auto& drawn) { paint(*painter, drawn, shift); }, shape);
-    return true;
+  /// shift: of all, upwards.
+  void paint(vtkContext2D& painter, double shift) const {
+    for (const auto& shape : sketch_.shapes)
+      std::visit([&](const auto& drawn) { paint(painter, drawn, shift); }, shape);
   }
 
  private:
@@ -153,37 +141,28 @@ class SketchItem : public vtkContextItem {
     }
   }
 
-  const ChartSketch* sketch_ = nullptr;
-  double scale_ = 1.0;
-  vtkNew<vtkActor2D> movedByStrips_;
+  const ChartSketch& sketch_;
+  double scale_;
 };
-vtkStandardNewMacro(SketchItem)
 
-    /// Paints on the device of an exporter: the actor that VTK's factory gives needs an OpenGL context even
-    /// then.
-    class ExportActor : public vtkContextActor {
- public:
-  static ExportActor* New();
-
- private:
-  void Initialize(vtkViewport*) override {
-    Context->Begin(ForceDevice);
-    Initialized = true;
-  }
-};
-vtkStandardNewMacro(ExportActor)
-
-    /// A renderer that shows the sketch through an actor of the given type.
-    template <class Actor>
-    vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
-  vtkNew<SketchItem> item;
-  item->set(sketch, scale);
-  vtkNew<Actor> actor;
+/// A renderer that shows the sketch, `scale` times larger, through an actor of the given type. The sketch must live as long.
+template <class Actor>
+vtkSmartPointer<vtkRenderer> rendererOf(const ChartSketch& sketch, double scale) {
+  // The canvas draws a picture in strips and moves flat actors down by what lies under a strip; a scene does
+  // not move, but this actor does.
+  const vtkNew<vtkActor2D> movedByStrips;
+  movedByStrips->VisibilityOff();
+  const vtkNew<PaintedItem> item;
+  item->paintWith([painter = SketchPainter(sketch, scale),
+                   moved = vtkSmartPointer<vtkActor2D>(movedByStrips.Get())](vtkContext2D& context) {
+    painter.paint(context, moved->GetPosition()[1]);
+  });
+  const vtkNew<Actor> actor;
   actor->GetScene()->AddItem(item);
   const auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(sketch.paper[0] / 255.0, sketch.paper[1] / 255.0, sketch.paper[2] / 255.0);
   renderer->SetBackgroundAlpha(1.0);
-  renderer->AddActor2D(&item->movedByStrips());
+  renderer->AddActor2D(movedByStrips);
   renderer->AddActor(actor);
   return renderer;
 }
