@@ -1,5 +1,7 @@
 """The installed program: it finds what it needs beside itself and nothing in the tree that built it, computes and draws in an empty
-environment, reads files of other programs, tells what a module that is not installed or not whole wants, and leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells look.
+environment, reads files of other programs, tells what a module wants that is not installed, not whole or of another program, and
+leaves computing to a program for newer processors that lies beside it; manual pages and completions lie where man and the shells
+look.
 
 Usage: installed_test.py CMAKE BUILD_DIRECTORY
 """
@@ -21,6 +23,11 @@ def call(*command, **options):
     return done.stdout
 
 
+def vtk_module(burnish):
+    """What loads VTK, or nothing: on other processors than those of x86-64 the program is linked with VTK."""
+    return next(burnish.parent.parent.glob("lib/**/burnish_vtk.so"), None)
+
+
 def problems_of_program(burnish, build):
     found = call("readelf", "-d", burnish)
     for path in re.findall(r"(?:RPATH|RUNPATH).*\[(.*)\]", found):
@@ -29,7 +36,8 @@ def problems_of_program(burnish, build):
     libraries = call("ldd", burnish)
     if str(build) in libraries:
         yield f"the installed program loads libraries of {build}"
-    for library in ("libvtkIOExport", "libvtkIOExodus", "libTKernel", "libpetsc", "libOSMesa"):
+    late = [] if vtk_module(burnish) is None else ["libvtkCommonCore"]
+    for library in (*late, "libvtkIOExport", "libvtkIOExodus", "libTKernel", "libpetsc", "libOSMesa"):
         if library in libraries:
             yield f"the installed program starts with {library}, which few commands need"
 
@@ -73,6 +81,27 @@ def problems_of_modules(burnish, directory):
         yield f"doctor would install what is there: {multigrid}"
 
 
+def problems_of_late_vtk(burnish, directory):
+    """The module that loads VTK is not there, or is that of another program: what draws nothing works, the rest says why not."""
+    module = vtk_module(burnish)
+    if module is None:
+        return
+    whole = module.read_bytes()
+    other = re.sub(rb"(burnish_late_)[0-9a-f]{16}", rb"\g<1>0123456789abcdef", whole)
+    for contents, reason in ((b"", "cannot be loaded"), (other, "undefined symbol: burnish_late_"),
+                             (None, "needs burnish_vtk.so, which is not there")):
+        module.unlink()
+        if contents is not None:
+            module.write_bytes(contents)
+        call(burnish, "validate", "press.yaml", cwd=directory)
+        done = subprocess.run([burnish, "render", "out", "-o", "none.png"], capture_output=True, text=True, cwd=directory)
+        if done.returncode == 0 or reason not in done.stderr or done.stderr.count("\n") != 1 or (directory / "none.png").exists():
+            yield f"without its VTK the program says: {done.returncode} {done.stdout}{done.stderr}"
+    module.unlink()
+    module.write_bytes(whole)
+    call(burnish, "render", "out", "-o", "again.png", "--size", "300,200", cwd=directory)
+
+
 def problems_of_newer_program(burnish, directory):
     """A program in the place of the one for newer processors that says how it was started."""
     newer = next(burnish.parent.parent.glob("lib/**/burnish_readers.so")).parent / "x86-64-v3/burnish"
@@ -114,7 +143,8 @@ def main():
         shutil.move(directory / "usr", prefix)
         burnish = prefix / "bin/burnish"
         wrong = [*problems_of_program(burnish, build), *problems_of_use(burnish, directory), *problems_of_files(prefix),
-                 *problems_of_newer_program(burnish, directory), *problems_of_modules(burnish, directory)]
+                 *problems_of_late_vtk(burnish, directory), *problems_of_newer_program(burnish, directory),
+                 *problems_of_modules(burnish, directory)]
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 
