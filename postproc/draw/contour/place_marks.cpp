@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "postproc/draw/contour/color_range.h"
 #include "postproc/draw/contour/exact_range.h"
 #include "postproc/draw/contour/field_choice.h"
 #include "postproc/mesh/chosen_bodies.h"
