@@ -9,12 +9,16 @@ loaded with them, get
 - a table of their addresses in the same order, which is linked into what is loaded. Its name holds a digest of the functions:
   a program does not take the table of another one.
 
+What VTK's headers run when a file that includes them begins and ends, to count such files, does nothing in the program: the libraries
+count their own.
+
 Only functions can be late: a variable, a table of virtual functions or type information of a library ends with an error, and so
 does what none of the libraries has.
 """
 import argparse
 import hashlib
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -32,6 +36,7 @@ FIRST_CALL = '\n'.join([
     *(f'  pop %{name}\n  .cfi_adjust_cfa_offset -8' for name in reversed(ARGUMENTS)),
     '  pop %r11\n  .cfi_adjust_cfa_offset -8', '  lea burnish_late_functions(%rip), %r10', '  jmp *(%r10,%r11,8)',
     '  .cfi_endproc', ''])
+COUNTERS = re.compile(r'_ZN\d+(vtkDebugLeaksManager|vtkObjectFactoryRegistryCleanup)[CD][12]Ev')
 END = '  .section .note.GNU-stack, "", @progbits\n'
 
 
@@ -60,9 +65,11 @@ def late_functions(arguments):
     return sorted({*own, *wanted})
 
 
-def stubs(functions, table):
+def stubs(functions, counters, table):
     """The functions as the program links them."""
     lines = ['  .text', FIRST_CALL]
+    for name in counters:
+        lines += [f'  .globl {name}', f'  .type {name}, @function', f'{name}:', '  ret']
     for k, name in enumerate(functions):
         lines += [f'  .globl {name}', f'  .type {name}, @function', f'{name}:', f'  jmp *burnish_late_functions+{8 * k}(%rip)',
                   f'first_{k}:', f'  push ${k}', '  jmp first_call']
@@ -94,9 +101,11 @@ def main():
     parser.add_argument('--stubs', type=pathlib.Path, required=True)
     parser.add_argument('--table', type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    functions = late_functions(arguments)
+    found = late_functions(arguments)
+    functions = [name for name in found if not COUNTERS.fullmatch(name)]
+    counters = [name for name in found if COUNTERS.fullmatch(name)]
     table = 'burnish_late_' + hashlib.sha256('\n'.join(functions).encode()).hexdigest()[:16]
-    write(arguments.stubs, stubs(functions, table))
+    write(arguments.stubs, stubs(functions, counters, table))
     write(arguments.table, addresses(functions, table))
 
 
