@@ -58,7 +58,7 @@ def late_functions(arguments):
     own = [name for name, kind in symbols(arguments.nm, arguments.archive, '--defined-only') if kind == 'T']
     wanted = sorted(name for name in called - defined - set(own) if 'vtk' in name)
     problems = [f'{name} is in no component of find_package(VTK)' for name in wanted if name not in kinds]
-    problems += [f'{name} is no function: what needs it belongs to {pathlib.Path(arguments.archive).stem}'
+    problems += [f'{name} is no function: what needs it belongs to {pathlib.Path(arguments.archive).stem} (docs/architecture.md)'
                  for name in wanted if kinds.get(name, 'T') not in 'TWi' or name.startswith('_ZT')]
     if problems:
         sys.exit('\n'.join(f'late_functions: {problem}' for problem in problems))
