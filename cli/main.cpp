@@ -11,6 +11,7 @@
 #include "cli/late_vtk.h"
 #include "cli/ranks.h"
 #include "cli/usage_error.h"
+#include "engine/core/blas.h"
 #include "engine/core/error.h"
 #include "engine/core/version.h"
 #include "postproc/draw/page/picture_warnings.h"
@@ -80,6 +81,7 @@ ExitCode execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  stopBlasThreads();
   openStandardDescriptors();
   std::set_terminate(endAtOnce);
   std::signal(SIGXFSZ, SIG_IGN);  // a file above a limit is an error with its name, not the end

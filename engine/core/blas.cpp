@@ -19,6 +19,8 @@ void blas_memory_free(void*);
 // What it does when it is unloaded and loaded: forgets its kernels, and chooses them.
 void gotoblas_dynamic_quit();
 void gotoblas_dynamic_init();
+// Ends its threads; it starts new ones when it next has work for them.
+int blas_thread_shutdown_();
 }
 
 namespace burnish::inline core {
@@ -51,6 +53,10 @@ void useFastestBlasKernels() {
   ::setenv(kKernelsChoice, kernels, 0);
   gotoblas_dynamic_quit();
   gotoblas_dynamic_init();
+}
+
+void stopBlasThreads() {
+  blas_thread_shutdown_();
 }
 
 std::string blasName() {

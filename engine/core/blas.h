@@ -9,6 +9,10 @@ namespace burnish::inline core {
 /// again, by what the processor's instruction sets allow, unless OPENBLAS_CORETYPE is set. Nothing may be computed meanwhile.
 void useFastestBlasKernels();
 
+/// Ends the threads that OpenBLAS starts when it is loaded, and that look for work for some 30 ms of processor time each before they
+/// sleep: for programs that hold it to one thread anyway.
+void stopBlasThreads();
+
 /// The library and the kernels that runs compute with: "OpenBLAS 0.3.21, kernels SkylakeX".
 std::string blasName();
 
