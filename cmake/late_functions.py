@@ -5,9 +5,9 @@ Of the functions that the program's archives call, those of the libraries and th
 loaded with them, get
 
 - stubs, which the program links in their place: each jumps to where its slot points. At first that is a piece of code that calls
-  `burnish_load_late_functions` (cli/late_vtk.cpp), which fills the slots, and goes on to the function then;
-- a table of their addresses in the same order, which is linked into what is loaded. Its name holds a digest of the functions:
-  a program does not take the table of another one.
+  `burnish_load_late_functions` (cli/vtk_loader.cpp), which fills the slots, and goes on to the function then;
+- a table of their addresses in the same order, which is linked into what is loaded. Its name holds a digest of the functions and of the
+  one archive: a program does not take the table of another build.
 
 What VTK's headers run when a file that includes them begins and ends, to count such files, does nothing in the program: the libraries
 count their own.
@@ -35,8 +35,8 @@ FIRST_CALL = '\n'.join([
     f'  add ${16 * VECTORS + 8}, %rsp\n  .cfi_adjust_cfa_offset -{16 * VECTORS + 8}',
     *(f'  pop %{name}\n  .cfi_adjust_cfa_offset -8' for name in reversed(ARGUMENTS)),
     '  pop %r11\n  .cfi_adjust_cfa_offset -8', '  lea burnish_late_functions(%rip), %r10', '  jmp *(%r10,%r11,8)',
-    '  .cfi_endproc', ''])
-COUNTERS = re.compile(r'_ZN\d+(vtkDebugLeaksManager|vtkObjectFactoryRegistryCleanup)[CD][12]Ev')
+    '  .cfi_endproc', '  .size first_call, .-first_call', ''])
+COUNTERS = re.compile(r'_ZN\d+vtk\w*(Manager|Cleanup)[CD][12]Ev')
 END = '  .section .note.GNU-stack, "", @progbits\n'
 
 
@@ -69,10 +69,10 @@ def stubs(functions, counters, table):
     """The functions as the program links them."""
     lines = ['  .text', FIRST_CALL]
     for name in counters:
-        lines += [f'  .globl {name}', f'  .type {name}, @function', f'{name}:', '  ret']
+        lines += [f'  .globl {name}', f'  .type {name}, @function', f'{name}:', '  ret', f'  .size {name}, .-{name}']
     for k, name in enumerate(functions):
         lines += [f'  .globl {name}', f'  .type {name}, @function', f'{name}:', f'  jmp *burnish_late_functions+{8 * k}(%rip)',
-                  f'first_{k}:', f'  push ${k}', '  jmp first_call']
+                  f'first_{k}:', f'  push ${k}', '  jmp first_call', f'  .size {name}, .-{name}']
     lines += ['  .data', '  .balign 8', '  .globl burnish_late_functions', 'burnish_late_functions:',
               *(f'  .quad first_{k}' for k in range(len(functions))), '  .section .rodata',
               '  .globl burnish_late_table', 'burnish_late_table:', f'  .asciz "{table}"', '  .balign 8',
@@ -104,7 +104,8 @@ def main():
     found = late_functions(arguments)
     functions = [name for name in found if not COUNTERS.fullmatch(name)]
     counters = [name for name in found if COUNTERS.fullmatch(name)]
-    table = 'burnish_late_' + hashlib.sha256('\n'.join(functions).encode()).hexdigest()[:16]
+    build = '\n'.join(functions).encode() + pathlib.Path(arguments.archive).read_bytes()
+    table = 'burnish_late_' + hashlib.sha256(build).hexdigest()[:16]
     write(arguments.stubs, stubs(functions, counters, table))
     write(arguments.table, addresses(functions, table))
 

@@ -15,6 +15,7 @@
 #include "cli/console.h"
 #include "cli/faults.h"
 #include "cli/jobs/child_process.h"
+#include "cli/late_vtk.h"
 #include "cli/ranks.h"
 #include "cli/scene_input.h"
 #include "engine/core/error.h"
@@ -159,7 +160,10 @@ ExitCode run(const RunArguments& arguments) {
                            : arguments.quiet ? RunReport::Nothing
                                              : RunReport::Progress;
   RunOutputs outputs(document, arguments.directory, report, !arguments.noDoubts);
-  if (!arguments.resumes) ranks().first([&] { outputs.takeDirectory(); });
+  ranks().first([&] {
+    if (!arguments.resumes) outputs.takeDirectory();
+    if (outputs.needVtk()) loadVtk();  // what would fail later fails before anything is computed
+  });
   const RunSummary summary = compute(document.scene, arguments, signals, outputs);
   ranks().first([&] {
     if (!summary.halted) outputs.finish(!summary.doubts.empty());

@@ -107,6 +107,10 @@ std::vector<fs::path> RunOutputs::drawnFiles(const SceneDocument& document) cons
   return files;
 }
 
+bool RunOutputs::needVtk() const {
+  return document_.scene.output.vtu || !document_.pictures.empty() || !document_.probes.empty();
+}
+
 void RunOutputs::onModel(const ModelRecord& model) {
   requirePlaces(document_, model);
 }

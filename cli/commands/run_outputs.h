@@ -29,6 +29,9 @@ class RunOutputs : public RunObserver {
   /// the run would overwrite. Notes what an earlier run has drawn there, which goes when the run starts.
   void takeDirectory();
 
+  /// Whether there will be pictures, charts or VTU files.
+  bool needVtk() const;
+
   void onModel(const ModelRecord& model) override;
   void onWarnings(const std::vector<std::string>& warnings) override;
   void onStart(const ModelRecord& model) override;

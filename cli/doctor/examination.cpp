@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <vtkVersion.h>
 
 #include <array>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include <thread>
 
 #include "cli/fastest_program.h"
+#include "cli/late_vtk.h"
 #include "engine/cad/require_cad.h"
 #include "engine/core/blas.h"
 #include "engine/core/error.h"
@@ -73,6 +75,17 @@ std::string scratchText() {
                 : fmt::format("{}, {} free", place.string(), gigabytes(static_cast<double>(space.available)));
 }
 
+std::string vtkText() {
+  loadVtk();
+  const std::string text = vtkVersion::GetVTKSourceVersion();  // vtk version 9.1.0
+  return text.substr(text.rfind(' ') + 1);
+}
+
+std::string openGlText() {
+  loadVtk();
+  return openGlName();
+}
+
 std::string multigridText() {
   if (!hasMultigrid()) throw Error("built without");
   petscFunction("burnishMultigridSolver", "multigrid");
@@ -104,7 +117,8 @@ std::vector<Examined> allExamined() {
       {"memory", "", memoryText, ""},
       {"scratch", "", scratchText, "make TMPDIR the name of a directory that can be written to"},
       {"BLAS", "", blasName, ""},
-      {"OpenGL", "", openGlName,
+      {"VTK", "", vtkText, ""},
+      {"OpenGL", "", openGlText,
        "install Mesa for drawing in memory (Debian: apt-get install libosmesa6, or libegl1 and libgl1-mesa-dri), and leave the choice to the program (unset BURNISH_GL)"},
       {"fonts", "", [] { return fmt::format("{}: {}", kDefaultFont, fontNamed(kDefaultFont).file); },
        "install the font (Debian: apt-get install fonts-dejavu-core)"},

@@ -19,8 +19,8 @@ void blas_memory_free(void*);
 // What it does when it is unloaded and loaded: forgets its kernels, and chooses them.
 void gotoblas_dynamic_quit();
 void gotoblas_dynamic_init();
-// Ends its threads; it starts new ones when it next has work for them.
-int blas_thread_shutdown_();
+// Ends its threads; that of a single thread (libopenblas0-serial) has no such function.
+int blas_thread_shutdown_() __attribute__((weak));
 }
 
 namespace burnish::inline core {
@@ -56,7 +56,8 @@ void useFastestBlasKernels() {
 }
 
 void stopBlasThreads() {
-  blas_thread_shutdown_();
+  openblas_set_num_threads(1);  // which would start them again
+  if (blas_thread_shutdown_ != nullptr) blas_thread_shutdown_();
 }
 
 std::string blasName() {
@@ -67,7 +68,7 @@ std::string blasName() {
 }
 
 void pinLibrariesToOneThread() {
-  openblas_set_num_threads(1);
+  if (openblas_get_num_threads() != 1) openblas_set_num_threads(1);  // else it would start threads
   omp_set_max_active_levels(0);  // CHOLMOD asks for threads of its own, whatever their default number is
 }
 

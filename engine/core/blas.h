@@ -9,8 +9,8 @@ namespace burnish::inline core {
 /// again, by what the processor's instruction sets allow, unless OPENBLAS_CORETYPE is set. Nothing may be computed meanwhile.
 void useFastestBlasKernels();
 
-/// Ends the threads that OpenBLAS starts when it is loaded, and that look for work for some 30 ms of processor time each before they
-/// sleep: for programs that hold it to one thread anyway.
+/// Holds OpenBLAS to one thread for good, and ends those that it has started when it was loaded: each looks for work for up to 0.1 s of
+/// processor time before it sleeps.
 void stopBlasThreads();
 
 /// The library and the kernels that runs compute with: "OpenBLAS 0.3.21, kernels SkylakeX".

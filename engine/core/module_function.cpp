@@ -24,7 +24,8 @@ bool isAbsent(const Module& module, std::string_view reason) {
 }  // namespace
 
 void* moduleFunction(const Module& module, const char* name, const char* whatFor) {
-  void* library = dlopen(module.library, RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+  void* library =
+      dlopen(module.library, (module.bindsLate ? RTLD_LAZY : RTLD_NOW) | RTLD_LOCAL | RTLD_NODELETE);
   void* function = library != nullptr ? dlsym(library, name) : nullptr;
   if (function != nullptr) return function;
   const std::string reason = dlerror();

@@ -11,6 +11,8 @@ struct Module {
   const char* builtFor = nullptr;  ///< "PETSc"; null for what is always built
   const char* option = nullptr;    ///< of the build, which may have left it out
   const char* package = nullptr;   ///< of Debian, which brings it
+  /// Its functions are looked for when they are called: it is there sooner, but one that is missing ends the program.
+  bool bindsLate = false;
 };
 
 /// A module is not there, or cannot be loaded.

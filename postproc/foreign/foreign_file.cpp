@@ -18,7 +18,9 @@ constexpr std::int64_t kTimes = -1;
 
 /// What the process that reads keeps between two questions: the file that was opened by the first of them.
 ReadingProcess::Answer answerFrom(const fs::path& file) {
-  loadReaders();  // here, once for all processes
+  // Here, once for all processes: VTK by the first of its functions, and its readers.
+  vtk::detail::smp::vtkSMPToolsAPI::GetInstance();
+  loadReaders();
   const auto source = std::make_shared<std::unique_ptr<ForeignSource>>();
   return [file, source](std::int64_t question) -> ReadingProcess::Send {
     if (!*source) {

@@ -4,7 +4,7 @@
 
 #include "postproc/offscreen/open_gl.h"
 
-/// What VTK takes from libOpenGL and libGLX when the program is loaded. An executable that exports these definitions, which come
+/// What VTK takes from libOpenGL and libGLX when it is loaded. An executable that exports these definitions, which come
 /// before those of the libraries, makes it take the functions of `openGl()` instead: a VTK built for X11, which loads all others
 /// through GLX and insists on a display, then draws without one.
 
