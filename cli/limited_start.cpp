@@ -11,8 +11,8 @@
 /// get.
 namespace {
 
-/// With the libraries and one thread the program has some 200 MB, of which 7 are data.
-constexpr rlim_t kLeastSpace = 270, kLeastData = 32;  // MB
+/// With its libraries the program has some 100 MB, of which 2 are data; reading a result takes some more.
+constexpr rlim_t kLeastSpace = 170, kLeastData = 32;  // MB
 
 /// Threads and arenas of libraries, each of which reserves room; results and pictures do not depend on them.
 constexpr std::array kSavings{"OPENBLAS_NUM_THREADS=1", "MALLOC_ARENA_MAX=1", "LP_NUM_THREADS=1"};
@@ -51,7 +51,7 @@ __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, c
   if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY) return;
   if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
-        "burnish: the memory that the program may use is below what it takes to start, 270 MB (ulimit -v) "
+        "burnish: the memory that the program may use is below what it takes to start, 170 MB (ulimit -v) "
         "with 32 MB of data (ulimit -d); raise the limit\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
     ::_exit(2);

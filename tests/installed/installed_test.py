@@ -60,6 +60,8 @@ def installed(cmake, build, component, scratch):
 
 
 def each_package_has_its_files(cmake, build, scratch):
+    if "BURNISH_LATE_VTK:BOOL=ON" in (build / "CMakeCache.txt").read_text():
+        HELD["program"].append("**/burnish_vtk.so")
     for component in packages(build):
         prefix = scratch / "alone" / component
         installs(cmake, build, component, prefix)
