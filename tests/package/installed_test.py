@@ -90,7 +90,7 @@ def problems_of_late_vtk(burnish, directory):
     other = re.sub(rb"(burnish_late_)[0-9a-f]{16}", rb"\g<1>0123456789abcdef", whole)
     for contents, reason in ((b"", "cannot be loaded"), (other, "undefined symbol: burnish_late_"),
                              (None, "needs burnish_vtk.so, which is not there")):
-        module.unlink()
+        module.unlink(missing_ok=True)
         if contents is not None:
             module.write_bytes(contents)
         call(burnish, "validate", "press.yaml", cwd=directory)
@@ -100,7 +100,7 @@ def problems_of_late_vtk(burnish, directory):
         done = subprocess.run([burnish, "render", "out", "-o", "none.png"], capture_output=True, text=True, cwd=directory)
         if done.returncode != 2 or reason not in done.stderr or done.stderr.count("\n") != 1 or (directory / "none.png").exists():
             yield f"without its VTK the program says: {done.returncode} {done.stdout}{done.stderr}"
-    module.unlink()
+    module.unlink(missing_ok=True)
     module.write_bytes(whole)
     call(burnish, "render", "out", "-o", "again.png", "--size", "300,200", cwd=directory)
 
