@@ -103,7 +103,6 @@ class Panels {
       own.eye = shared.eye;
       return single.look(at.frame, own, inRange, inWindow);
     });
-    shared.room->otherRanges = true;
     for (const Source& source : sources_) {
       const PictureSource::Single& single = source.single;
       shared.room->doubt = shared.room->doubt || !single.options.doubt.empty();

@@ -130,6 +130,12 @@ bool isOneValue(const std::array<double, 2>& range) {
   return widened(range) != range;
 }
 
+std::array<bool, 2> endsPassed(const std::array<double, 2>& range, const std::array<double, 2>& values) {
+  constexpr double kRounding = 1e-9;  // of the range
+  const double slack = kRounding * (range[1] - range[0]);
+  return {values[0]<range[0] - slack, values[1]> range[1] + slack};
+}
+
 std::string clipNote(double clip, std::optional<int> dim) {
   return fmt::format("colours end at the {} and {} percentiles{}", ordinal(100.0 - clip), ordinal(clip),
                      !dim        ? ""

@@ -40,6 +40,9 @@ std::array<double, 2> widened(const std::array<double, 2>& range);
 /// Whether a field that goes through this range has one value, but for rounding.
 bool isOneValue(const std::array<double, 2>& range);
 
+/// Whether values that go from the first to the second number of `values` pass the lower and the upper end of a range, not by rounding alone.
+std::array<bool, 2> endsPassed(const std::array<double, 2>& range, const std::array<double, 2>& values);
+
 /// What a picture says of clipped colours: "colours end at the 1st and 99th percentiles of the area". dim: where it is known.
 std::string clipNote(double clip, std::optional<int> dim);
 

@@ -119,8 +119,8 @@ ScalarBar scalarBarOf(const FieldChoice& field, const ColorScale& scale, const s
   const bool isConstant = isOneValue(values) && scale.range()[1] == widened(values)[1] && ownRange;
   return {scale,
           {field.title, field.unit, values[0], values[1], field.states,
-           room ? room->extremes : std::vector<std::array<double, 2>>(), room && room->otherRanges, marked,
-           bands, isConstant, gaps, room && room->gaps},
+           room ? room->extremes : std::vector<std::array<double, 2>>(), room && room->otherRanges,
+           room ? room->arrows : std::array<bool, 2>(), marked, bands, isConstant, gaps, room && room->gaps},
           textSize,
           theme};
 }

@@ -23,6 +23,7 @@ struct SharedRoom {
   bool note = false, doubt = false;             ///< whether there is such a text in one of them
   bool otherRanges = false;                     ///< whether scales may have other numbers at their ticks
   bool gaps = false;                            ///< whether one of them has places without values
+  std::array<bool, 2> arrows{};  ///< whether values of one pass the lower or the upper end of its own scale
 };
 
 /// A contour picture: its options, and what whoever draws it writes beside the body.

@@ -123,6 +123,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     if (together.contains(k)) {
       room.note = room.note || view.hasNote;
       room.gaps = room.gaps || view.hasGaps;
+      for (std::size_t end = 0; end < 2; ++end) room.arrows[end] = room.arrows[end] || view.passed[end];
       if (view.extremes) room.extremes.push_back(*view.extremes);
     }
     if (!inWindow.contains(k)) continue;
@@ -159,6 +160,7 @@ FrameView frameView(const ModelRecord& model, const FrameRecord& frame, const Co
     const FieldRange ranges = rangesOf(shownModel, shown, field, options);
     if (inRange) view.shown = ranges.shown;
     view.extremes = ranges.whole;
+    view.passed = endsPassed(options.range.value_or(ranges.shown), ranges.whole);
     const bool hasOwnEnds = options.clip && !inRange && ranges.shown != ranges.whole;
     view.hasNote =
         hasOwnEnds || mayHaveNote(options) || !bodiesWithout(shownModel, shown, options.field).empty();

@@ -38,6 +38,7 @@ struct FrameView {
   std::optional<std::array<double, 2>> extremes{};  ///< its smallest and largest value, if it shows a field
   bool hasNote = false;                             ///< whether it may have a small text below the body
   bool hasGaps = false;                             ///< whether its field has no value somewhere
+  std::array<bool, 2> passed{};  ///< whether values pass the lower or the upper end of its colours
 
   /// That these parts, of a body of `dim` dimensions, must be seen, in parallel or by an eye.
   void show(ContourParts parts, int dim, const std::optional<Eye>& eye);

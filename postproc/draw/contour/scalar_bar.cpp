@@ -97,9 +97,7 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
   all.push_back(own);
   const auto endAt = [&](std::size_t k, const char* name, const char* sign, const char* beyond) {
     const double limit = scale_.range()[k];
-    const auto passes = [&](const Extremes& of) {
-      return k == 0 ? of[k] < limit - slack : of[k] > limit + slack;
-    };
+    const auto passes = [&](const Extremes& of) { return endsPassed(scale_.range(), of)[k]; };
     const auto extreme = [&](const Extremes& of) {
       return text((texts.marked ? sign : "") + std::string(name), of[k], of);
     };
@@ -107,7 +105,7 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
     const auto isAtLimit = [&](const Extremes& of) { return std::abs(of[k] - limit) <= slack; };
     // Of scales that stand together all have the numbers that one of them needs.
     end.isTold = end.passed || (even_ ? isAtLimit(own) : std::ranges::all_of(all, isAtLimit));
-    end.hasArrow = end.passed;
+    end.hasArrow = end.passed || (even_ && texts.arrows[k]);
     for (const Extremes& of : all) {
       if (!even_) end.hasArrow = end.hasArrow || passes(of);  // in their own ranges others pass other ends
       end.longest = std::max(end.longest, textWidth(extreme(of), endStyle_));

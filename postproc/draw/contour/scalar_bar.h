@@ -33,6 +33,9 @@ class ScalarBar {
     /// Whether to leave as much room for numbers as those of other ranges would take.
     bool even = false;
 
+    /// Whether to leave room for arrows at the lower and the upper end, since values pass that of another range.
+    std::array<bool, 2> arrows{};
+
     /// Whether the two values have the signs that mark their places.
     bool marked = false;
 

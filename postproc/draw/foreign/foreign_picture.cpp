@@ -728,6 +728,7 @@ FrameView foreignView(const ForeignFile& file, int instant, const ForeignOptions
   if (maker.hasField()) {
     view.shown = subject.ranges.shown;
     view.extremes = subject.ranges.whole;
+    view.passed = endsPassed(options.range.value_or(subject.ranges.shown), subject.ranges.whole);
   }
   view.hasNote = mayHaveNote(options) || !subject.without.empty() || !subject.note.empty();
   view.hasGaps = hasGaps(subject.parts);

@@ -282,6 +282,28 @@ TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
   EXPECT_NE(widthOfBody(figures() / "panel_a.png"), widthOfBody(figures() / "panel_b.png"));
 }
 
+/// Values pass the end of the colours in the second panel alone: the first one has room for its arrow.
+TEST_F(StudyFigures, SheetHasOnePlaceForScalesWithAndWithoutArrows) {
+  const Sample sample = slab();
+  FrameRecord frame = sample.frame;
+  const fs::path run = directory_.path() / "runs/nurbs-fine";
+  const RunAccount summary = readSummary(run);
+  ResultWriter result(run, sample.model);
+  for (frame.index = 0; frame.index < 3; ++frame.index) {
+    frame.time = frame.index;
+    result.append(frame);
+    frame.fields["plastic_strain"].values *= 2.0;
+  }
+  writeSummary(run, summary);
+  SheetFigure spec = sheetOfFine();
+  spec.runs = {"nurbs-fine"};
+  spec.panel.tools = false;
+  const double largest = sample.frame.fields.at("plastic_strain").values.maxCoeff();
+  spec.panel.range = {0.0, 1.5 * largest};
+  draw("sheet", spec);
+  EXPECT_EQ(widthOfBody(figures() / "sheet_a.png"), widthOfBody(figures() / "sheet_b.png"));
+}
+
 TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
   SheetFigure spec = sheetOfFine();
   spec.panelCaption = "{letter}) {basis.label}, mesh {mesh}, {time}";
