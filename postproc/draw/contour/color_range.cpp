@@ -131,8 +131,8 @@ bool isOneValue(const std::array<double, 2>& range) {
 }
 
 std::array<bool, 2> endsPassed(const std::array<double, 2>& range, const std::array<double, 2>& values) {
-  constexpr double kRounding = 1e-9;  // of the range
-  const double slack = kRounding * (range[1] - range[0]);
+  constexpr double kSlack = 1e-9;  // of the range
+  const double slack = kSlack * (range[1] - range[0]);
   return {values[0]<range[0] - slack, values[1]> range[1] + slack};
 }
 
