@@ -11,8 +11,11 @@
 /// get.
 namespace {
 
-/// With its libraries the program has some 100 MB, of which 2 are data; reading a result takes some more.
-constexpr rlim_t kLeastSpace = 170, kLeastData = 32;  // MB
+/// With its libraries the program has some 100 MB, with VTK among them 150, of which 2 to 4 are data; reading a result takes some more.
+constexpr rlim_t kLeastSpace = BURNISH_LEAST_SPACE, kLeastData = 32;  // MB
+
+#define BURNISH_TEXT(number) #number
+#define BURNISH_TEXT_OF(macro) BURNISH_TEXT(macro)
 
 /// Threads and arenas of libraries, each of which reserves room; results and pictures do not depend on them.
 constexpr std::array kSavings{"OPENBLAS_NUM_THREADS=1", "MALLOC_ARENA_MAX=1", "LP_NUM_THREADS=1"};
@@ -51,8 +54,8 @@ __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, c
   if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY) return;
   if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
-        "burnish: the memory that the program may use is below what it takes to start, 170 MB (ulimit -v) "
-        "with 32 MB of data (ulimit -d); raise the limit\n";
+        "burnish: the memory that the program may use is below what it takes to start, " BURNISH_TEXT_OF(
+            BURNISH_LEAST_SPACE) " MB (ulimit -v) with 32 MB of data (ulimit -d); raise the limit\n";
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
     ::_exit(2);
   }

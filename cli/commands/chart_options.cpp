@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/arguments.h"
+#include "cli/late_vtk.h"
 #include "cli/offered_words.h"
 #include "cli/output_target.h"
 #include "engine/core/csv.h"
@@ -153,6 +154,7 @@ std::string runName(const fs::path& file, const std::string& usual) {
 }
 
 void writePicture(const Chart& chart, const ChartOutputs& outputs) {
+  loadVtk();
   const OutputTarget target(outputs.picture, ".png");
   makeDirectoryOf(target.file());
   drawChart(chart, target.file());

@@ -18,6 +18,7 @@
 #include "cli/console.h"
 #include "cli/foreign_files.h"
 #include "cli/jobs/child_process.h"
+#include "cli/late_vtk.h"
 #include "cli/offered_words.h"
 #include "cli/output_target.h"
 #include "engine/cad/cad_file.h"
@@ -206,6 +207,7 @@ ExitCode exportSeries(const ExportArguments& arguments) {
   requireFrames(reader);
   if (!isOfARun(directory) && !hasSeries(directory)) requireAbsent(seriesFiles(directory));
   const ScenePicture picture = firstPictureOf(reader);
+  loadVtk();  // before an earlier series goes
   ParaViewSeries writer(directory, reader.model(), options, picture, picture.times);
   for (int i = 0; i < reader.numFrames(); ++i) {
     throwIfInterrupted();

@@ -20,6 +20,7 @@
 #include "cli/jobs/study_plan.h"
 #include "cli/jobs/study_progress.h"
 #include "cli/jobs/study_table.h"
+#include "cli/late_vtk.h"
 #include "cli/offered_words.h"
 #include "cli/output_lock.h"
 #include "engine/core/atomic_file.h"
@@ -102,6 +103,7 @@ void printResultsJson(const StudyPlan& plan, const std::vector<JobStatus>& jobs,
 
 ExitCode makeEverything(const Study& study, const FiguresArguments& arguments) {
   const DirectoryLock lock = lockOutput(arguments.output);
+  loadVtk();  // what would fail when figures are drawn fails before anything is computed
   const StudyPlan plan = planStudy(study, arguments.output, arguments.only, arguments.jobs);
   requireOutlooks(study, plan);
   if (!arguments.json) announce(plan);

@@ -11,6 +11,7 @@
 #include "cli/commands/picture_source.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
+#include "cli/late_vtk.h"
 #include "cli/output_target.h"
 #include "engine/core/error.h"
 #include "postproc/draw/page/print_file.h"
@@ -40,6 +41,7 @@ ExitCode render(RenderArguments& arguments) {
   const PictureSource source = pictureSource(arguments.options);
   const std::vector<int> frames = frameIndices(arguments.options.frame, source.times);
   std::vector<std::filesystem::path> names = pictureNames(arguments.picture, frames, source.times);
+  loadVtk();
   const OutputTarget target(names.front(), ".png");
   if (names.size() == 1) names.front() = target.file();
   const PictureSource::Series series = source.series(frames);

@@ -17,6 +17,7 @@
 #include "cli/commands/chart_options.h"
 #include "cli/console.h"
 #include "cli/jobs/child_process.h"
+#include "cli/late_vtk.h"
 #include "cli/output_target.h"
 #include "engine/core/csv.h"
 #include "engine/core/error.h"
@@ -304,6 +305,7 @@ void drawMap(const RoughnessArguments& arguments, const ResultReader& result, co
   options.undeformed = false;
   options.lengthAxes = true;
   if (options.doubtMarks) options.doubt = doubtMarkOf(result.file().parent_path());
+  loadVtk();
   const OutputTarget target(arguments.outputs.picture, ".png");
   makeDirectoryOf(target.file());
   drawContour(map.model, map.frame, options, target.file());

@@ -117,7 +117,7 @@ std::vector<Examined> allExamined() {
       {"memory", "", memoryText, ""},
       {"scratch", "", scratchText, "make TMPDIR the name of a directory that can be written to"},
       {"BLAS", "", blasName, ""},
-      {"VTK", "", vtkText, ""},
+      {"VTK", "", vtkText, "raise the limit of memory (ulimit -v, -d)"},
       {"OpenGL", "", openGlText,
        "install Mesa for drawing in memory (Debian: apt-get install libosmesa6, or libegl1 and libgl1-mesa-dri), and leave the choice to the program (unset BURNISH_GL)"},
       {"fonts", "", [] { return fmt::format("{}: {}", kDefaultFont, fontNamed(kDefaultFont).file); },

@@ -57,7 +57,7 @@ TEST_F(Doctor, FindsWhatIsThere) {
   EXPECT_THAT(outcome.out, HasSubstr("ok       OpenGL     llvmpipe"));
   EXPECT_THAT(outcome.out, HasSubstr("DejaVuSans.ttf"));
   const Json::Value all = findings(burnish("doctor --json"));
-  for (const char* name : {"program", "processor", "memory", "scratch", "BLAS", "OpenGL", "fonts"}) {
+  for (const char* name : {"program", "processor", "memory", "scratch", "BLAS", "VTK", "OpenGL", "fonts"}) {
     EXPECT_TRUE(named(all, name)["ok"].asBool()) << name;
     EXPECT_TRUE(named(all, name)["required"].asBool()) << name;
     EXPECT_FALSE(named(all, name).isMember("remedy")) << name;

@@ -98,6 +98,9 @@ def problems_of_late_vtk(burnish, directory):
         if refused.returncode != 2 or reason not in refused.stderr or (directory / "none").exists():
             yield f"without its VTK the program computes, or says: {refused.returncode} {refused.stderr}"
         done = subprocess.run([burnish, "render", "out", "-o", "none.png"], capture_output=True, text=True, cwd=directory)
+        doctor = subprocess.run([burnish, "doctor"], capture_output=True, text=True, cwd=directory)
+        if "burnish_vtk.so" not in doctor.stdout or "fonts" not in doctor.stdout:
+            yield f"without its VTK doctor says: {doctor.returncode} {doctor.stdout}{doctor.stderr}"
         if done.returncode != 2 or reason not in done.stderr or done.stderr.count("\n") != 1 or (directory / "none.png").exists():
             yield f"without its VTK the program says: {done.returncode} {done.stdout}{done.stderr}"
     module.unlink(missing_ok=True)

@@ -101,10 +101,11 @@ ScalarBar::ScalarBar(ColorScale scale, Texts texts, double textSize, const Theme
     const auto extreme = [&](const Extremes& of) {
       return text((texts.marked ? sign : "") + std::string(name), of[k], of);
     };
-    End end{extreme(own), text(beyond, limit, own), passes(own)};
+    End end{extreme(own), text(beyond, limit, scale_.range()), passes(own)};
     const auto isAtLimit = [&](const Extremes& of) { return std::abs(of[k] - limit) <= slack; };
+    const auto isElsewhere = [&](const Extremes& of) { return !std::isnan(of[k]) && !isAtLimit(of); };
     // Of scales that stand together all have the numbers that one of them needs.
-    end.isTold = end.passed || (even_ ? isAtLimit(own) : std::ranges::all_of(all, isAtLimit));
+    end.isTold = end.passed || (even_ ? isAtLimit(own) : std::ranges::none_of(all, isElsewhere));
     end.hasArrow = end.passed || (even_ && texts.arrows[k]);
     for (const Extremes& of : all) {
       if (!even_) end.hasArrow = end.hasArrow || passes(of);  // in their own ranges others pass other ends

@@ -170,6 +170,11 @@ class SubjectMaker {
     const bool isFlat = (cells.with->GetNumberOfCells() == 0 || isPlane(*cells.with)) &&
                         (cells.without->GetNumberOfCells() == 0 || isPlane(*cells.without));
     subject.dim = isFlat ? 2 : 3;
+    // As `conflictsIn` does, but before lines are computed.
+    if (options_.arrows == ArrowField::Streamlines && !isFlat && !options_.slice)
+      throw Error(fmt::format(
+          "vectors: found streamlines, which are drawn in a plane, and {} is a body in space: add slice",
+          file_.file().string()));
     const ValuePlaces places = placesOf(*cells.with);
     subject.ranges.whole = subject.ranges.shown = rangeOf(places);
     if (options_.clip && choice_) subject.ranges.shown = clipped(cells.with, subject.ranges.whole);

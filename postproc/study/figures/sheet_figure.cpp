@@ -114,7 +114,12 @@ class ContourSheet {
     return frameAt(data_[column], results_[column], spec_.times[row]);
   }
 
-  FieldRange rowRange(std::size_t row) const {
+  const FieldRange& rowRange(std::size_t row) {
+    while (rowRanges_.size() <= row) rowRanges_.push_back(foundRange(rowRanges_.size()));
+    return rowRanges_[row];
+  }
+
+  FieldRange foundRange(std::size_t row) const {
     FieldRange range{kEmpty, kEmpty};
     for (std::size_t column = 0; column < data_.size(); ++column) {
       const FrameRecord shown = frame(row, column).frame;
@@ -124,7 +129,7 @@ class ContourSheet {
   }
 
   /// For the texts of all panels.
-  SharedRoom roomOfAll() const {
+  SharedRoom roomOfAll() {
     SharedRoom room{.extremes = {}, .otherRanges = true};
     for (std::size_t row = 0; row < spec_.times.size(); ++row) {
       const FieldRange common = spec_.scale == SheetShare::Row ? rowRange(row) : FieldRange{kEmpty, kEmpty};
@@ -147,7 +152,7 @@ class ContourSheet {
     return room;
   }
 
-  FieldRange sheetRange() const {
+  FieldRange sheetRange() {
     FieldRange range{kEmpty, kEmpty};
     for (std::size_t row = 0; row < spec_.times.size(); ++row) range = joined(range, rowRange(row));
     return range;
@@ -217,6 +222,7 @@ class ContourSheet {
   const SheetFigure& spec_;
   std::vector<RunData> data_;
   std::vector<ResultReader> results_;
+  std::vector<FieldRange> rowRanges_;
   std::optional<Eigen::AlignedBox2d> window_;             ///< that panels share
   SharedRoom room_{.extremes = {}, .otherRanges = true};  ///< the same
 };

@@ -149,7 +149,7 @@ TEST(ForeignArrows, GoAlongTheDrawnVectorOrTheDisplacement) {
   refused(flow, "height", ArrowField::Streamlines, "streamlines go along the vector that is drawn");
   refused(flow, "flow", ArrowField::Traction, "vectors: only runs of burnish have contact tractions");
   const VectorFile block("foreign_arrows_block", -1.0, false);
-  refused(block, "flow", ArrowField::Streamlines, "found streamlines, which are drawn in a plane: add slice");
+  refused(block, "flow", ArrowField::Streamlines, "is a body in space: add slice");
   EXPECT_NO_THROW(moved.drawn(optionsOf("height", ArrowField::Streamlines)));
   EXPECT_NO_THROW(flow.drawn(optionsOf("height", ArrowField::Principal))) << "sigma";
 }

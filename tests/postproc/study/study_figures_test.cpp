@@ -282,13 +282,14 @@ TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
   EXPECT_NE(widthOfBody(figures() / "panel_a.png"), widthOfBody(figures() / "panel_b.png"));
 }
 
-/// Values pass the end of the colours in the second panel alone: the first one has room for its arrow.
+/// Values pass the end of the colours in the second panel alone: the first one has room for its arrow beside a high body.
 TEST_F(StudyFigures, SheetHasOnePlaceForScalesWithAndWithoutArrows) {
   const Sample sample = slab();
   FrameRecord frame = sample.frame;
   const fs::path run = directory_.path() / "runs/nurbs-fine";
   const RunAccount summary = readSummary(run);
   ResultWriter result(run, sample.model);
+  frame.displacement.row(1) += 2.0 * sample.model.mesh.patches.front().points.row(1);
   for (frame.index = 0; frame.index < 3; ++frame.index) {
     frame.time = frame.index;
     result.append(frame);
@@ -299,9 +300,12 @@ TEST_F(StudyFigures, SheetHasOnePlaceForScalesWithAndWithoutArrows) {
   spec.runs = {"nurbs-fine"};
   spec.panel.tools = false;
   const double largest = sample.frame.fields.at("plastic_strain").values.maxCoeff();
-  spec.panel.range = {0.0, 1.5 * largest};
-  draw("sheet", spec);
-  EXPECT_EQ(widthOfBody(figures() / "sheet_a.png"), widthOfBody(figures() / "sheet_b.png"));
+  spec.panel.range = {0.0, 3.0 * largest};
+  for (const SheetShare scale : {SheetShare::Panel, SheetShare::Row}) {
+    spec.scale = scale;
+    draw("sheet", spec);
+    EXPECT_EQ(widthOfBody(figures() / "sheet_a.png"), widthOfBody(figures() / "sheet_b.png"));
+  }
 }
 
 TEST_F(StudyFigures, SheetTakesWordsForItsCaptionsFromTheRun) {
