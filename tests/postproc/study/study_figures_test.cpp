@@ -259,19 +259,26 @@ std::array<int, 2> widthOfBody(const fs::path& png) {
   return columns;
 }
 
-TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
+/// Gives a run three frames of the slab, at times 0, 1 and 2, each of which is what `change` makes of the one before.
+void giveSlab(const fs::path& run, const std::function<void(FrameRecord&)>& change) {
   const Sample sample = slab();
   FrameRecord frame = sample.frame;
-  const fs::path run = directory_.path() / "runs/nurbs-fine";
   const RunAccount summary = readSummary(run);
   ResultWriter result(run, sample.model);
   for (frame.index = 0; frame.index < 3; ++frame.index) {
-    frame.time = frame.index;  // grows upwards, and its numbers get longer
-    frame.displacement.row(1) += 0.4 * frame.time * sample.model.mesh.patches.front().points.row(1);
-    frame.fields["plastic_strain"].values *= 12.34;
+    frame.time = frame.index;
+    change(frame);
     result.append(frame);
   }
   writeSummary(run, summary);
+}
+
+TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
+  const Eigen::RowVectorXd heights = slab().model.mesh.patches.front().points.row(1);
+  giveSlab(directory_.path() / "runs/nurbs-fine", [&](FrameRecord& frame) {
+    frame.displacement.row(1) += 0.4 * frame.time * heights;  // grows upwards, and its numbers get longer
+    frame.fields["plastic_strain"].values *= 12.34;
+  });
   SheetFigure spec = sheetOfFine();
   spec.runs = {"nurbs-fine"};
   spec.panel.tools = false;
@@ -285,22 +292,14 @@ TEST_F(StudyFigures, SheetHasOneWindowAndOnePlaceForItsScales) {
 /// Values pass the end of the colours in the second panel alone: the first one has room for its arrow beside a high body.
 TEST_F(StudyFigures, SheetHasOnePlaceForScalesWithAndWithoutArrows) {
   const Sample sample = slab();
-  FrameRecord frame = sample.frame;
-  const fs::path run = directory_.path() / "runs/nurbs-fine";
-  const RunAccount summary = readSummary(run);
-  ResultWriter result(run, sample.model);
-  frame.displacement.row(1) += 2.0 * sample.model.mesh.patches.front().points.row(1);
-  for (frame.index = 0; frame.index < 3; ++frame.index) {
-    frame.time = frame.index;
-    result.append(frame);
+  giveSlab(directory_.path() / "runs/nurbs-fine", [&](FrameRecord& frame) {
+    frame.displacement.row(1) = 2.0 * sample.model.mesh.patches.front().points.row(1);
     frame.fields["plastic_strain"].values *= 2.0;
-  }
-  writeSummary(run, summary);
+  });
   SheetFigure spec = sheetOfFine();
   spec.runs = {"nurbs-fine"};
   spec.panel.tools = false;
-  const double largest = sample.frame.fields.at("plastic_strain").values.maxCoeff();
-  spec.panel.range = {0.0, 3.0 * largest};
+  spec.panel.range = {0.0, 6.0 * sample.frame.fields.at("plastic_strain").values.maxCoeff()};
   for (const SheetShare scale : {SheetShare::Panel, SheetShare::Row}) {
     spec.scale = scale;
     draw("sheet", spec);
