@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +25,11 @@ struct SharedRoom {
   bool otherRanges = false;                     ///< whether scales may have other numbers at their ticks
   bool gaps = false;                            ///< whether one of them has places without values
   std::array<bool, 2> arrows{};  ///< whether values of one pass the lower or the upper end of its own scale
+
+  /// Room for arrows at the ends that values of one more picture pass.
+  void addArrows(const std::array<bool, 2>& passed) {
+    for (std::size_t end = 0; end < 2; ++end) arrows[end] = arrows[end] || passed[end];
+  }
 };
 
 /// A contour picture: its options, and what whoever draws it writes beside the body.

@@ -123,7 +123,7 @@ void shareView(ContourOptions& options, const std::vector<int>& ofRange, const s
     if (together.contains(k)) {
       room.note = room.note || view.hasNote;
       room.gaps = room.gaps || view.hasGaps;
-      for (std::size_t end = 0; end < 2; ++end) room.arrows[end] = room.arrows[end] || view.passed[end];
+      room.addArrows(view.passed);
       if (view.extremes) room.extremes.push_back(*view.extremes);
     }
     if (!inWindow.contains(k)) continue;

@@ -131,8 +131,7 @@ class ContourSheet {
   /// For the texts of all panels.
   SharedRoom roomOfAll() {
     SharedRoom room{.extremes = {}, .otherRanges = true};
-    for (std::size_t row = 0; row < spec_.times.size(); ++row) {
-      const FieldRange common = spec_.scale == SheetShare::Row ? rowRange(row) : FieldRange{kEmpty, kEmpty};
+    for (std::size_t row = 0; row < spec_.times.size(); ++row)
       for (std::size_t column = 0; column < data_.size(); ++column) {
         const FrameRecord shown = frame(row, column).frame;
         const ContourOptions options = panelOptions(row, column, shown);
@@ -142,13 +141,10 @@ class ContourSheet {
         room.doubt = room.doubt || !options.doubt.empty();
         if (!view.extremes || sharesOneScale()) continue;
         room.extremes.push_back(*view.extremes);
-        const std::array<bool, 2> passed =
-            spec_.scale == SheetShare::Row
-                ? endsPassed(*withColors(options, common.shown).range, *view.extremes)
-                : view.passed;
-        for (std::size_t end = 0; end < 2; ++end) room.arrows[end] = room.arrows[end] || passed[end];
+        room.addArrows(spec_.scale == SheetShare::Row
+                           ? endsPassed(*withColors(options, rowRange(row).shown).range, *view.extremes)
+                           : view.passed);
       }
-    }
     return room;
   }
 
