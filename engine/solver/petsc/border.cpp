@@ -105,13 +105,9 @@ bool BorderZone::factorise(const SystemMatrix& A, const SystemBorder& border, co
   return team.all(M_.rows() == 0 || lu_.info() == Eigen::Success);
 }
 
-Eigen::VectorXd BorderZone::solve(const Eigen::VectorXd& g) {
-  const auto z = static_cast<Eigen::Index>(unknowns_.size());
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(z + g.size());
-  rhs.tail(g.size()) = g;
-  if (rhs.size() == 0) return g;
-  const Eigen::VectorXd x = lu_.solve(rhs);
-  return x.tail(g.size());
+Eigen::VectorXd BorderZone::solve(const Eigen::VectorXd& r) {
+  if (r.size() == 0) return r;
+  return lu_.solve(r);
 }
 
 }  // namespace burnish::inline solver

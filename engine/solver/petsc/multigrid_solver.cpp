@@ -329,7 +329,7 @@ class MultigridSolver::Implementation {
   Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
     if (kind_ == TangentKind::Symmetric && !border_.isCoupled()) {
       Eigen::VectorXd x(b.size());
-      x.tail(m_) = solveBorder(b.tail(m_));
+      x.tail(m_) = solveZone(b.segment(first_, numOwn())).tail(m_);
       if (byConjugateGradients(b.segment(first_, n_), accuracy, x)) return x;
       // With the V-cycle of another matrix that tells nothing about this one.
       if (isNear_) return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
@@ -344,11 +344,41 @@ class MultigridSolver::Implementation {
     return std::min(most, kSetUp + static_cast<int>(std::ceil(perDigitAtFirst_ * -std::log10(reduction))));
   }
 
-  /// The border's part of the solution, from its right-hand side, which only the last rank needs to have.
-  Eigen::VectorXd solveBorder(const Eigen::VectorXd& g) {
-    Eigen::VectorXd x = team_.isLast() ? zone_.solve(g) : Eigen::VectorXd(m_);
+  /// The solution over the zone and the border, for this rank's rows of a right-hand side; the same on all ranks.
+  Eigen::VectorXd solveZone(const Eigen::VectorXd& r) {
+    const auto z = std::ssize(zone_.unknowns());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(z + m_);
+    forOwnOfZone([&](Eigen::Index k, Eigen::Index own) { x(k) = r(own); });
+    if (team_.isLast()) x.tail(m_) = r.tail(m_);
+    team_.sum(asSpan(x));
+    if (team_.isLast()) x = zone_.solve(x);
     team_.share(asSpan(x), team_.size() - 1);
     return x;
+  }
+
+  /// f(place in the zone, place among this rank's rows of K) for those unknowns of the zone that this rank has.
+  template <class F>
+  void forOwnOfZone(const F& f) const {
+    const auto& unknowns = zone_.unknowns();
+    const auto end = std::ranges::lower_bound(unknowns, first_ + n_);
+    for (auto unknown = std::ranges::lower_bound(unknowns, first_); unknown != end; ++unknown)
+      f(unknown - unknowns.begin(), *unknown - first_);
+  }
+
+  /// Subtracts K x from numbers of this rank's rows of K, x over the zone, with zeros elsewhere. Without products: neither the zone's
+  /// factors nor the V-cycle know of them.
+  void subtractTimesZone(const Eigen::VectorXd& x, Vec from) {
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(n_);
+    write(from, [&](auto out) {
+      forOwnOfZone([&](Eigen::Index k, Eigen::Index column) {
+        own(column) = x(k);
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(A_->leading(), column); entry; ++entry)
+          out(entry.row()) -= entry.value() * x(k);
+      });
+    });
+    if (!ghosts_) return;
+    write(ghosts_->values(), [&](auto out) { out = -(offDiagonalBlock().transpose() * own); });
+    ghosts_->addTo(from);
   }
 
   /// Numbers of this rank's rows of a system, in a vector of the library: of K and, in the last one, the border.
@@ -631,7 +661,7 @@ class MultigridSolver::Implementation {
     return 0;
   }
 
-  /// y = P⁻¹ W⁻¹ x.
+  /// y = P⁻¹ W⁻¹ x: the zone with the border first, then a V-cycle for what that leaves of the displacements' residual.
   static PetscErrorCode precondition(PC pc, Vec x, Vec y) {
     void* context = nullptr;
     check(PCShellGetContext(pc, &context));
@@ -639,13 +669,14 @@ class MultigridSolver::Implementation {
     const auto n = self.n_, m = self.m_;
     read(x, [&](auto in) {
       const Eigen::VectorXd r = in.cwiseQuotient(self.weights_);
-      const bool isLast = self.team_.isLast();
-      const Eigen::VectorXd border = self.solveBorder(r.tail(isLast ? m : 0));
-      write(self.in_, [&](auto u) { u = r.head(n) - self.ownB_ * border; });
+      const Eigen::VectorXd ofZone = self.solveZone(r);
+      write(self.in_, [&](auto u) { u = r.head(n) - self.ownB_ * ofZone.tail(m); });
+      self.subtractTimesZone(ofZone, self.in_);
       check(PCApply(self.cycle_, self.in_, self.out_));
       write(y, [&](auto out) {
         read(self.out_, [&](auto u) { out.head(n) = u; });
-        if (isLast) out.tail(m) = border;
+        self.forOwnOfZone([&](Eigen::Index k, Eigen::Index own) { out(own) += ofZone(k); });
+        if (self.team_.isLast()) out.tail(m) = ofZone.tail(m);
       });
     });
     return 0;
