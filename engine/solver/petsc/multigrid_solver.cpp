@@ -42,9 +42,16 @@ constexpr int kSetUp = 8;
 /// were kept after others, 21 were of no use; of 43 after such ones, 2.
 constexpr double kMostFallenForKept = 0.1;
 
-/// Of a V-cycle with one step of the smoother, where two are tried: iterations that a digit costs; and what is left of
-/// them where two pay.
-constexpr double kMostPerDigit = 2.0, kPaying = 0.7;
+/// Steps of the smoother where one leaves too much; by over-relaxation always.
+constexpr int kMoreSteps = 3, kStepsOfSweeps = 2;
+
+/// Of a V-cycle with one step of the smoother, where more are tried: iterations that a digit costs; and what is left of
+/// them where more pay, which take twice the time and more, but hardly any beside products.
+constexpr double kMostPerDigit = 2.0, kPaying = 0.5, kPayingBesideProducts = 0.75;
+
+/// Eigenvalues that a smoother's polynomial makes small, over the largest one that is estimated: from the smallest on
+/// that coarser meshes leave to one step, and from those that are left where one does not do.
+constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1;
 
 /// Searches that go without incomplete factors after a search that has needed to.
 constexpr int kMostWithout = 64;
@@ -168,7 +175,7 @@ class MultigridSolver::Implementation {
   const IterationCounts& counts() const { return counts_; }
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
-    archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesTwoSteps_);
+    archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesMoreSteps_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
@@ -183,13 +190,13 @@ class MultigridSolver::Implementation {
     }
     knowsSpectra_ = team_.all(knowsSpectra_);
     if (!knowsSpectra_)
-      forSmoothers([](KSP smoother) {
-        check(KSPChebyshevEstEigSet(smoother, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE, PETSC_DECIDE));
+      forSmoothers([&](KSP smoother, double&) {
+        check(KSPChebyshevEstEigSet(smoother, 0.0, smallest(), 0.0, kLargest));
       });
     ++counts_.setUps;
     isNear_ = false;
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
-    if (isSetUp_ && !knowsSpectra_) forSmoothers(keepSpectrum);
+    if (isSetUp_ && !knowsSpectra_) keepSpectra();
     knowsSpectra_ = isSetUp_;
     return isSetUp_;
   }
@@ -248,25 +255,38 @@ class MultigridSolver::Implementation {
     return smoother;
   }
 
+  /// f(smoother, the largest eigenvalue of its level).
   template <class F>
   void forSmoothers(const F& f) {
-    for (PetscInt level = 1; level <= static_cast<PetscInt>(prolongations_.size()); ++level)
-      f(smootherOf(level));
+    spectra_.resize(prolongations_.size());
+    for (std::size_t k = 0; k < spectra_.size(); ++k)
+      f(smootherOf(static_cast<PetscInt>(k + 1)), spectra_[k]);
   }
 
   /// Of the matrix that has been set up, for the next ones of the search: an estimate takes as long as four or five
   /// iterations, and the largest eigenvalue of a matrix with its incomplete factors hardly changes.
-  static void keepSpectrum(KSP smoother) {
-    constexpr double kLargest = 1.1, kSmallest = 0.1;  // of the estimate, as the library has them
-    KSP estimate = nullptr;
-    PetscInt count = 0;
-    check(KSPChebyshevEstEigGetKSP(smoother, &estimate));
-    check(KSPGetIterationNumber(estimate, &count));
-    Eigen::VectorXd real(count), imaginary(count);
-    check(KSPComputeEigenvalues(estimate, count, real.data(), imaginary.data(), &count));
-    const double largest = count > 0 ? real.head(count).maxCoeff() : 0.0;
-    if (largest > 0.0) check(KSPChebyshevSetEigenvalues(smoother, kLargest * largest, kSmallest * largest));
+  void keepSpectra() {
+    forSmoothers([](KSP smoother, double& largest) {
+      KSP estimate = nullptr;
+      PetscInt count = 0;
+      check(KSPChebyshevEstEigGetKSP(smoother, &estimate));
+      check(KSPGetIterationNumber(estimate, &count));
+      Eigen::VectorXd real(count), imaginary(count);
+      check(KSPComputeEigenvalues(estimate, count, real.data(), imaginary.data(), &count));
+      largest = count > 0 ? real.head(count).maxCoeff() : 0.0;
+    });
+    useSpectra();
   }
+
+  void useSpectra() {
+    forSmoothers([&](KSP smoother, double largest) {
+      if (largest > 0.0)
+        check(KSPChebyshevSetEigenvalues(smoother, kLargest * largest, smallest() * largest));
+    });
+  }
+
+  double smallest() const { return steps() == 1 ? kSmallestOfOneStep : kSmallest; }
+  int steps() const { return factorises_ ? steps_ : kStepsOfSweeps; }
 
   /// For some searches.
   void goOnWithoutFactors() {
@@ -298,20 +318,21 @@ class MultigridSolver::Implementation {
     return x;
   }
 
-  /// With K alone two steps take about twice the time of one, and near incompressibility half of the iterations: these
-  /// are the better ones, with fewer sums over ranks, where factors that overlap save as many again. With a border it is
-  /// not the V-cycle that iterations come from.
+  /// Near incompressibility and beside faces that are collapsed more steps save more than half of the iterations; with
+  /// fewer sums over ranks, where factors that overlap save as many again.
   void chooseSteps(double perDigit) {
-    if (border_.isCoupled() || !triesTwoSteps_) return;
+    if (!triesMoreSteps_) return;
     if (steps_ == 1 && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
-      perDigitAtFirst_ = kPaying * perDigit;
-      setSmoother(2, true);
-    } else if (steps_ == 2 && perDigit > kPaying * perDigitOfOne_) {
-      triesTwoSteps_ = false;
+      perDigitAtFirst_ = paying() * perDigit;
+      setSmoother(kMoreSteps, true);
+    } else if (steps_ > 1 && perDigit > paying() * perDigitOfOne_) {
+      triesMoreSteps_ = false;
       setSmoother(1, false);
     }
   }
+
+  double paying() const { return A_->hasProducts() ? kPayingBesideProducts : kPaying; }
 
   /// Factors that overlap, or do so no longer, have to be made anew.
   void setSmoother(int steps, bool overlaps) {
@@ -321,9 +342,10 @@ class MultigridSolver::Implementation {
       forgetCycle();
       return;
     }
-    forSmoothers([&](KSP smoother) {
+    forSmoothers([&](KSP smoother, double) {
       check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, steps));
     });
+    useSpectra();
   }
 
   Eigen::VectorXd iterateWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
@@ -491,8 +513,7 @@ class MultigridSolver::Implementation {
       KSP smoother = smootherOf(level);
       PC sweep = nullptr;
       check(KSPSetType(smoother, KSPCHEBYSHEV));
-      check(
-          KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, factorises_ ? steps_ : 2));
+      check(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, steps()));
       check(KSPGetPC(smoother, &sweep));
       if (factorises_)
         smoothers_[fromFinest]->attachTo(sweep);
@@ -718,11 +739,12 @@ class MultigridSolver::Implementation {
   bool factorises_ = true;      ///< smooths with incomplete factors, else by over-relaxation
   int steps_ = 1;               ///< of the smoother with incomplete factors
   bool overlaps_ = false;       ///< those of several ranks
-  double perDigitOfOne_ = 0.0;  ///< iterations with one step, where two are taken
-  bool triesTwoSteps_ = true;
+  double perDigitOfOne_ = 0.0;  ///< iterations with one step, where more are taken
+  bool triesMoreSteps_ = true;
   bool isIndefinite_ = false;
-  bool isSetUp_ = false;       ///< the V-cycle
-  bool knowsSpectra_ = false;  ///< of its smoothers, from an earlier matrix of the search
+  bool isSetUp_ = false;         ///< the V-cycle
+  bool knowsSpectra_ = false;    ///< of its smoothers, from an earlier matrix of the search
+  std::vector<double> spectra_;  ///< their largest eigenvalues, from the coarsest level with a smoother on
 
   bool isNear_ = false;           ///< the V-cycle is to be kept for the next matrix
   double perDigitAtFirst_ = 0.0;  ///< iterations, with the V-cycle of the matrix itself
