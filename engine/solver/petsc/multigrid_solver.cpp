@@ -45,9 +45,10 @@ constexpr double kMostFallenForKept = 0.1;
 /// Steps of the smoother where one leaves too much; by over-relaxation always.
 constexpr int kMoreSteps = 3, kStepsOfSweeps = 2;
 
-/// Of a V-cycle with one step of the smoother, where more are tried: iterations that a digit costs; and what is left of
-/// them where more pay, which take twice the time and more, but hardly any beside products.
-constexpr double kMostPerDigit = 2.0, kPaying = 0.5, kPayingBesideProducts = 0.75;
+/// Of a V-cycle with one step of the smoother, where more are tried: iterations of a system, and those that a digit costs; and
+/// what is left of the latter where more steps pay, which take twice the time and more, but hardly any beside products.
+constexpr long kFew = 4;
+constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingBesideProducts = 0.75;
 
 /// Eigenvalues that a smoother's polynomial makes small, over the largest one that is estimated: from the smallest on
 /// that coarser meshes leave to one step, and from those that are left where one does not do.
@@ -310,19 +311,19 @@ class MultigridSolver::Implementation {
     const long before = counts_.iterations;
     const bool isOwn = !isNear_;
     Eigen::VectorXd x = iterateWithCycle(b, accuracy);
-    const double perDigit =
-        static_cast<double>(counts_.iterations - before) / -std::log10(accuracy.reduction);
+    const long iterations = counts_.iterations - before;
+    const double perDigit = static_cast<double>(iterations) / -std::log10(accuracy.reduction);
     if (isOwn) perDigitAtFirst_ = perDigit;
     isNear_ = factorises_ && x.allFinite() && perDigit <= kMostOverFirst * perDigitAtFirst_;
-    if (isNear_ && isOwn) chooseSteps(perDigit);
+    if (isNear_ && isOwn) chooseSteps(iterations, perDigit);
     return x;
   }
 
   /// Near incompressibility and beside faces that are collapsed more steps save more than half of the iterations; with
   /// fewer sums over ranks, where factors that overlap save as many again.
-  void chooseSteps(double perDigit) {
+  void chooseSteps(long iterations, double perDigit) {
     if (!triesMoreSteps_) return;
-    if (steps_ == 1 && perDigit > kMostPerDigit) {
+    if (steps_ == 1 && iterations > kFew && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
       perDigitAtFirst_ = paying() * perDigit;
       setSmoother(kMoreSteps, true);
