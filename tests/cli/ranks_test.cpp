@@ -172,6 +172,12 @@ class Ranks : public ShellTest {
 
   HistoryTable history(const std::string& name) const { return readHistory(dir / name / "history.csv"); }
 
+  double linearIterations(const std::string& name) const {
+    const HistoryTable convergence = readHistory(dir / name / "convergence.csv");
+    const auto& ofSystems = convergence.column("linear_iterations");
+    return std::accumulate(ofSystems.begin(), ofSystems.end(), 0.0);
+  }
+
   /// Largest difference of the histories of two runs over the largest value of its column; columns x, y, z of a
   /// vector are one.
   double largestDifference(const std::string& one, const std::string& other) const {
@@ -237,6 +243,10 @@ TEST_F(Ranks, ElasticBlock) {
 
 TEST_F(Ranks, PlasticBlockUnderABallThatRubs) {
   expectSameResults(kBlock + kDragged);
+  // Wherever ranks solve contact's zone wrongly they still find the solution, in more iterations.
+  const double alone = linearIterations("on1");
+  EXPECT_LT(linearIterations("on2"), 1.5 * alone);
+  EXPECT_LT(linearIterations("on3"), 1.7 * alone);
   EXPECT_GT(history("on3").column("plastic_work").back(), 0.0);
   EXPECT_LT(history("on3").column("ball.fx").back(), -1e-3);
 }
@@ -280,9 +290,7 @@ TEST_F(Ranks, ProjectedVolumeChangeBetweenSupportsThatMove) {
 
 TEST_F(Ranks, NearlyIncompressibleGradedBlock) {
   expectSameResults(block("[8, 8, 8]", "1.0e-11", kStrongly) + pulled("0.49", 4));
-  const std::vector<double> iterations =
-      readHistory(dir / "on2" / "convergence.csv").column("linear_iterations");
-  EXPECT_LT(std::accumulate(iterations.begin(), iterations.end(), 0.0), 130.0);  // above 200 without a shift
+  EXPECT_LT(linearIterations("on2"), 130.0);  // above 200 without a shift
 }
 
 TEST_F(Ranks, MetalThatIsShearedToAndFro) {

@@ -66,7 +66,7 @@ BorderZone::BorderZone() {
   // Of what is a few layers thick nested dissection makes factors of half the size that minimum degree does.
   lu_.umfpackControl()[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   lu_.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-  lu_.umfpackControl()[UMFPACK_IRSTEP] = 0;  // GMRES knows the residual
+  lu_.umfpackControl()[UMFPACK_IRSTEP] = 0;  // of no use to GMRES, which knows the residual
 }
 
 bool BorderZone::factorise(const SystemMatrix& A, const SystemBorder& border, const Team& team,

@@ -45,8 +45,10 @@ constexpr double kMostFallenForKept = 0.1;
 /// Steps of the smoother where one leaves too much; by over-relaxation always.
 constexpr int kMoreSteps = 3, kStepsOfSweeps = 2;
 
-/// Of a V-cycle with one step of the smoother, where more are tried: iterations of a system, and those that a digit costs; and
-/// what is left of the latter where more steps pay, which take twice the time and more, but hardly any beside products.
+/// Of a V-cycle with one step of the smoother, where more are tried: iterations of a system, and those that a digit
+/// costs; and what is left of the latter where more steps pay, which take twice the time and more, but hardly any beside
+/// products. Greater reductions have too few digits to tell.
+constexpr double kTelling = 1e-3;
 constexpr long kFew = 4;
 constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingBesideProducts = 0.75;
 
@@ -309,13 +311,14 @@ class MultigridSolver::Implementation {
   /// Not finite if it does not converge.
   Eigen::VectorXd solveWithCycle(const Eigen::VectorXd& b, const SolveAccuracy& accuracy) {
     const long before = counts_.iterations;
-    const bool isOwn = !isNear_;
+    const bool isOwn = !isNear_, isWhole = unfinished_.size() == 0;
     Eigen::VectorXd x = iterateWithCycle(b, accuracy);
     const long iterations = counts_.iterations - before;
     const double perDigit = static_cast<double>(iterations) / -std::log10(accuracy.reduction);
     if (isOwn) perDigitAtFirst_ = perDigit;
     isNear_ = factorises_ && x.allFinite() && perDigit <= kMostOverFirst * perDigitAtFirst_;
-    if (isNear_ && isOwn) chooseSteps(iterations, perDigit);
+    if (isNear_ && isOwn && isWhole && !isIndefinite_ && accuracy.reduction <= kTelling)
+      chooseSteps(iterations, perDigit);
     return x;
   }
 
@@ -388,8 +391,8 @@ class MultigridSolver::Implementation {
       f(unknown - unknowns.begin(), *unknown - first_);
   }
 
-  /// Subtracts K x from numbers of this rank's rows of K, x over the zone, with zeros elsewhere. Without products: neither the zone's
-  /// factors nor the V-cycle know of them.
+  /// Subtracts K x from numbers of this rank's rows of K, x over the zone, with zeros elsewhere. Without products:
+  /// neither the zone's factors nor the V-cycle know of them.
   void subtractTimesZone(const Eigen::VectorXd& x, Vec from) {
     Eigen::VectorXd own = Eigen::VectorXd::Zero(n_);
     write(from, [&](auto out) {
@@ -683,7 +686,8 @@ class MultigridSolver::Implementation {
     return 0;
   }
 
-  /// y = P⁻¹ W⁻¹ x: the zone with the border first, then a V-cycle for what that leaves of the displacements' residual.
+  /// y = P⁻¹ W⁻¹ x: the zone with the border first, then a V-cycle for what that leaves of the displacements'
+  /// residual.
   static PetscErrorCode precondition(PC pc, Vec x, Vec y) {
     void* context = nullptr;
     check(PCShellGetContext(pc, &context));

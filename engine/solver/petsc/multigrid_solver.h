@@ -18,8 +18,8 @@ namespace burnish::inline solver {
 ///     [ K_zz  B_z ] [ x ]   [ r_z ]
 ///     [ G_z   C   ] [ λ ] = [ g   ]        u = x + K̂⁻¹ ( r − K x − B λ ),
 ///
-/// x over the zone where K is coupled with the border, see `BorderZone`, and K̂⁻¹ one V-cycle, for the transpose of K where
-/// that is another matrix.
+/// x over the zone where K is coupled with the border, see `BorderZone`, K without products, and K̂⁻¹ one V-cycle, for
+/// the transpose of K where that is another matrix.
 class MultigridSolver final : public LinearSolver {
  public:
   /// Throws `Error` if the problem has no hierarchy.
