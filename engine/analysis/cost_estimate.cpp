@@ -32,7 +32,8 @@ constexpr BytesPer kMultigrid{52, 0, 0, 2700};
 /// Right-hand sides that a system with a tangent that is not symmetric takes.
 constexpr double kSolutionsNearTangent = 25.0;
 
-/// V-cycles that are set up, and iterations, per system with contact; without it a third of them.
+/// V-cycles that are set up, and iterations, per system with contact, whose zone takes as long as most of these; without it
+/// a third of them.
 constexpr double kSetUps = 0.3;
 double linearIterations(int degree) {
   return degree == 2 ? 14.0 : 22.0;
