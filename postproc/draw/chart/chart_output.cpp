@@ -87,7 +87,7 @@ class SketchPainter {
   void paint(vtkContext2D& painter, const SketchText& text, double shift) const {
     noteDrawnText(text.text, text.style.font);
     const std::vector<FontPiece> pieces = fontPieces(text.text, text.style.font);
-    if (pieces.size() == 1) {
+    if (pieces.size() == 1 && pieces.front().shaped.glyphs.empty()) {
       SketchText whole = text;
       whole.text = pieces.front().text;
       return paintPiece(painter, whole, *pieces.front().font, VTK_TEXT_CENTERED, shift);
@@ -103,14 +103,34 @@ class SketchPainter {
     part.anchor = Overlay::Anchor::Start;
     for (const FontPiece& piece : pieces) {
       part.text = piece.text;
-      part.at = pen - piece.font->descent * text.style.size * upwards;
-      paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift);
+      part.at = pen;
+      if (!piece.shaped.glyphs.empty() && isPicture(painter)) {
+        paintGlyphs(painter, part, piece, shift);
+      } else {
+        part.at -= piece.font->descent * text.style.size * upwards;
+        paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift, piece.shaped.glyphs.empty());
+      }
       pen += textWidth({{piece.text}}, text.style) * along;
     }
   }
 
-  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical,
-                  double shift) const {
+  static bool isPicture(vtkContext2D& painter) {
+    return vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice()) == nullptr;
+  }
+
+  void paintGlyphs(vtkContext2D& painter, const SketchText& text, const FontPiece& piece,
+                   double shift) const {
+    const int size = static_cast<int>(std::lround(scale_ * text.style.size));
+    const auto [pixels, corner] = glyphPicture(piece.shaped, piece.font->file, size, text.style.color,
+                                               text.direction == Overlay::Direction::Up);
+    const std::vector<float> at = scaled({text.at}, shift);
+    painter.DrawImage(std::round(at[0]) + static_cast<float>(corner.x()),
+                      std::round(at[1]) + static_cast<float>(corner.y()), pixels);
+  }
+
+  /// asOutlines: in SVG, with outlines of letters; what reads SVG makes the others join.
+  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical, double shift,
+                  bool asOutlines = true) const {
     const auto& [size, color, name] = text.style;
     vtkNew<vtkTextProperty> property;
     property->SetFontFamily(VTK_FONT_FILE);
@@ -130,8 +150,10 @@ class SketchPainter {
     // A picture that looks the same everywhere has outlines of letters; text that can be selected lies over
     // them, unseen.
     if (auto* svg = vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice())) {
-      draw(text.text);
-      property->SetOpacity(0.0);
+      if (asOutlines) {
+        draw(text.text);
+        property->SetOpacity(0.0);
+      }
       property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * size)));
       svg->SetTextAsPath(false);
       draw(text.text);

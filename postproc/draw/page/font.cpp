@@ -149,10 +149,11 @@ const LoadedFont& loadedFont(const std::string& name) {
   return known != fonts.end() ? known->second : fonts.emplace(name, load(name)).first->second;
 }
 
-/// A letter with the marks over it.
+/// A letter with the marks over it, or a word of letters that join.
 struct Cluster {
   std::string text;
   std::vector<char32_t> letters;
+  bool joins = false;
 };
 
 bool isMark(char32_t letter) {
@@ -163,6 +164,11 @@ bool isMark(char32_t letter) {
 bool isOfJoiningScript(char32_t letter) {
   return (letter >= 0x900 && letter <= 0xDFF) || (letter >= 0xF00 && letter <= 0x109F) ||
          (letter >= 0x1780 && letter <= 0x17FF);
+}
+
+/// Within words of such scripts: tells letters to join, or not to.
+bool isJoiner(char32_t letter) {
+  return letter == 0x200C || letter == 0x200D;
 }
 
 /// Of the scripts that are written from right to left: Hebrew to Mandaic, and the forms of their letters.
@@ -180,7 +186,10 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   std::vector<Cluster> clusters;
   for (std::size_t at = 0; at < text.size();) {
     const auto [letter, length] = letterAt(text, at);
-    if (clusters.empty() || !isMark(letter)) clusters.emplace_back();
+    const bool joins = isOfJoiningScript(letter);
+    const bool goesOn =
+        !clusters.empty() && (isMark(letter) || (clusters.back().joins && (joins || isJoiner(letter))));
+    if (!goesOn) clusters.push_back({{}, {}, joins});
     const bool blank = letter == '\n' || letter == '\t';
     clusters.back().text += blank ? " " : length > 0 ? text.substr(at, length) : kReplacement;
     clusters.back().letters.push_back(blank ? U' ' : letter);
@@ -243,6 +252,25 @@ const LoadedFont* fontWithLetter(char32_t letter) {
   return entry->second;
 }
 
+/// The glyphs of letters that join, and their font.
+struct ShapedWord {
+  const LoadedFont* font = nullptr;  ///< null: none has all of them
+  ShapedText text;
+};
+
+/// In the font of this name, the default one, or another that has all letters.
+ShapedWord shapedWord(const Cluster& word, const LoadedFont& wanted, const LoadedFont& substitute) {
+  const auto rare = std::max_element(word.letters.begin(), word.letters.end(), [](char32_t a, char32_t b) {
+    return isOfJoiningScript(a) < isOfJoiningScript(b);
+  });
+  for (const LoadedFont* font : {&wanted, &substitute, fontWithLetter(*rare)}) {
+    if (font == nullptr) continue;
+    ShapedText text = shapedText(word.text, font->font.file);
+    if (!text.glyphs.empty()) return {font, std::move(text)};
+  }
+  return {};
+}
+
 /// The font of this name, the default one, or another that has the letter; null: none has it.
 const LoadedFont* fontFor(char32_t letter, const LoadedFont& wanted, const LoadedFont& substitute) {
   return wanted.has(letter) ? &wanted : substitute.has(letter) ? &substitute : fontWithLetter(letter);
@@ -266,12 +294,17 @@ std::vector<FontPiece> fontPieces(const std::string& text, const std::string& na
   const bool isTurned = hasLettersFromRightToLeft(text);
   std::vector<FontPiece> pieces;
   const auto add = [&](const std::string& part, const LoadedFont& in, const std::string& letters) {
-    if (pieces.empty() || pieces.back().font != &in.font) pieces.push_back({"", &in.font, ""});
+    if (pieces.empty() || pieces.back().font != &in.font || !pieces.back().shaped.glyphs.empty())
+      pieces.push_back({"", &in.font, ""});
     pieces.back().text += part;
     if (!isTurned) pieces.back().letters += letters;
   };
   for (const Cluster& cluster : clustersOf(isTurned ? inVisualOrder(text) : text)) {
-    if (wanted.hasAll(cluster.letters)) {
+    ShapedWord word;
+    if (cluster.joins) word = shapedWord(cluster, wanted, substitute);
+    if (word.font != nullptr) {
+      pieces.push_back({cluster.text, &word.font->font, isTurned ? "" : cluster.text, std::move(word.text)});
+    } else if (wanted.hasAll(cluster.letters)) {
       add(cluster.text, wanted, cluster.text);
     } else if (substitute.hasAll(cluster.letters)) {
       add(cluster.text, substitute, cluster.text);
@@ -295,16 +328,22 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
   std::set<char32_t> missing;
-  bool joins = false;
-  for (const Cluster& cluster : clustersOf(text))
-    for (const char32_t letter : cluster.letters) {
+  bool isTorn = false;
+  for (const Cluster& cluster : clustersOf(text)) {
+    const bool isShaped = cluster.joins && shapedWord(cluster, wanted, substitute).font != nullptr;
+    isTorn = isTorn || (cluster.joins && !isShaped);
+    if (isShaped) continue;
+    for (const char32_t letter : cluster.letters)
       if (fontFor(letter, wanted, substitute) == nullptr) missing.insert(letter);
-      joins = joins || isOfJoiningScript(letter);
-    }
-  if (joins)
-    noteWarning(fmt::format(
-        "{} has letters of a script that join beside one another, which are set one by one", quoted(text)));
-  if (missing.empty()) return;
+  }
+  if (missing.empty()) {
+    if (isTorn)
+      noteWarning(fmt::format(
+          "{} has letters of a script that join beside one another, which are set one by one: no font has "
+          "all of them",
+          quoted(text)));
+    return;
+  }
   std::vector<std::string> codes;
   for (const char32_t letter : missing)
     codes.push_back(fmt::format("U+{:04X}", static_cast<std::uint32_t>(letter)));

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "postproc/draw/page/shaped_text.h"
+
 namespace burnish {
 
 /// Has Greek letters, overbars and superscripts.
@@ -27,15 +29,17 @@ struct FontPiece {
   std::string text;  ///< as it is drawn, from left to right
   const Font* font;
   std::string letters;  ///< as it was written; those of all pieces are the text
+  ShapedText shaped{};  ///< has glyphs if they are not those of one letter after the other
 };
 
 /// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
 /// default font, or in another one that is installed; a letter that none has becomes a box. Scripts from right to left have the order
-/// and the forms in which they are read (Unicode's bidirectional algorithm).
+/// and the forms in which they are read (Unicode's bidirectional algorithm), and those of South and Southeast Asia the glyphs that the
+/// font has for letters beside one another.
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
 
 /// To be told of every text that is drawn: one with a box is worth a warning (`noteWarning`), with the letters and the
-/// font, and so is one of a script whose letters would have to change their forms beside one another.
+/// font, and so is one of a script whose letters change their forms beside one another if no font has all of them.
 void noteDrawnText(const std::string& text, const std::string& name);
 
 }  // namespace burnish

@@ -3,7 +3,10 @@
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
@@ -11,11 +14,14 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkTexture.h>
+#include <vtkTexturedActor2D.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -83,7 +89,10 @@ class SketchPainter {
     const Eigen::Vector2d along = unitAlong(text.direction), upwards(-along.y(), along.x());
     Eigen::Vector2d pen = text.at - shareBefore(text.anchor) * textWidth(text.text, text.style) * along;
     for (const TextPiece& piece : textPieces(text.text, text.style)) {
-      addPiece(piece, pen + piece.lift * upwards, text);
+      if (piece.piece.shaped.glyphs.empty())
+        addPiece(piece, pen + piece.lift * upwards, text);
+      else
+        addGlyphs(piece, pen + piece.lift * upwards, text);
       pen += advance(piece) * along;
     }
   }
@@ -127,6 +136,37 @@ class SketchPainter {
     if (up) property.SetOrientation(90.0);
     actor->SetPosition(std::round(scale_ * (baseline.x() + (up ? descent : 0.0))),
                        std::round(scale_ * (baseline.y() - (up ? 0.0 : descent))));
+    renderer_.AddActor2D(actor);
+  }
+
+  void addGlyphs(const TextPiece& piece, const Eigen::Vector2d& baseline, const PageText& text) const {
+    const auto [pixels, corner] =
+        glyphPicture(piece.piece.shaped, piece.piece.font->file, fontSize(piece.size, scale_),
+                     text.style.color, text.direction == TextDirection::Up);
+    const int* size = pixels->GetDimensions();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkFloatArray> places;
+    places->SetNumberOfComponents(2);
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      points->InsertNextPoint(x * size[0], y * size[1], 0.0);
+      places->InsertNextTuple2(x, y);
+    }
+    cells->InsertNextCell({0, 1, 2, 3});
+    vtkNew<vtkPolyData> shape;
+    shape->SetPoints(points);
+    shape->SetPolys(cells);
+    shape->GetPointData()->SetTCoords(places);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(pixels);
+    texture->InterpolateOff();
+    vtkNew<vtkTexturedActor2D> actor;
+    actor->SetMapper(mapper);
+    actor->SetTexture(texture);
+    actor->SetPosition(std::round(scale_ * baseline.x()) + corner.x(),
+                       std::round(scale_ * baseline.y()) + corner.y());
     renderer_.AddActor2D(actor);
   }
 

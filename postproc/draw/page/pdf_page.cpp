@@ -1,7 +1,4 @@
-#include <cairo-ft.h>
 #include <cairo-pdf.h>
-#include <fmt/format.h>
-#include <fontconfig/fontconfig.h>
 #include <vtkImageData.h>
 
 #include <algorithm>
@@ -13,27 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/error.h"
+#include "postproc/draw/page/cairo_handles.h"
 #include "postproc/draw/page/print_file.h"
 
 namespace burnish {
 namespace {
-
-template <class T, void (*Free)(T*)>
-struct CairoDeleter {
-  void operator()(T* object) const { Free(object); }
-};
-template <class T, void (*Free)(T*)>
-using CairoPtr = std::unique_ptr<T, CairoDeleter<T, Free>>;
-using SurfacePtr = CairoPtr<cairo_surface_t, cairo_surface_destroy>;
-using ContextPtr = CairoPtr<cairo_t, cairo_destroy>;
-using FacePtrOfCairo = CairoPtr<cairo_font_face_t, cairo_font_face_destroy>;
-using FontOptionsPtr = CairoPtr<cairo_font_options_t, cairo_font_options_destroy>;
-
-void require(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(fmt::format("cairo cannot make the PDF: {}", cairo_status_to_string(status)));
-}
 
 /// The pixels as cairo has them: the highest row first, colours times opacity in a number of 32 bits.
 std::vector<std::uint32_t> premultiplied(vtkImageData& picture) {
@@ -56,13 +37,7 @@ std::vector<std::uint32_t> premultiplied(vtkImageData& picture) {
 /// Paints a sketch on a page of cairo, whose y goes down.
 class PdfPainter {
  public:
-  PdfPainter(cairo_t& page, double height) : page_(page), height_(height) {
-    const FontOptionsPtr options(cairo_font_options_create());
-    // Letters stand where they belong on paper, not at whole pixels.
-    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(&page_, options.get());
-  }
+  PdfPainter(cairo_t& page, double height) : page_(page), height_(height) { placeLettersExactly(page_); }
 
   void operator()(const PageLines& lines) {
     const Saved saved(page_);
@@ -114,8 +89,12 @@ class PdfPainter {
     double pen = -shareBefore(text.anchor) * width;
     for (const TextPiece& piece : pieces) {
       const double length = choose(piece);
-      cairo_move_to(&page_, pen, -piece.lift);
-      cairo_show_text(&page_, piece.piece.text.c_str());
+      if (piece.piece.shaped.glyphs.empty()) {
+        cairo_move_to(&page_, pen, -piece.lift);
+        cairo_show_text(&page_, piece.piece.text.c_str());
+      } else {
+        showGlyphs(piece, pen);
+      }
       pen += length;
     }
   }
@@ -124,10 +103,10 @@ class PdfPainter {
     const int* size = image.pixels->GetDimensions();
     std::vector<std::uint32_t> pixels = premultiplied(*image.pixels);
     const bool opaque = image.pixels->GetNumberOfScalarComponents() == 3;
-    const SurfacePtr surface(cairo_image_surface_create_for_data(
+    const CairoSurface surface(cairo_image_surface_create_for_data(
         reinterpret_cast<unsigned char*>(pixels.data()), opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
         size[0], size[1], 4 * size[0]));
-    require(cairo_surface_status(surface.get()));
+    requireCairo(cairo_surface_status(surface.get()));
     const Saved saved(page_);
     cairo_translate(&page_, image.rect.x, height_ - image.rect.top());
     cairo_scale(&page_, image.rect.width / size[0], image.rect.height / size[1]);
@@ -135,7 +114,7 @@ class PdfPainter {
     cairo_pattern_set_filter(cairo_get_source(&page_), CAIRO_FILTER_NEAREST);
     cairo_paint(&page_);
     cairo_surface_finish(surface.get());  // a page that keeps it has copied the pixels
-    require(cairo_status(&page_));
+    requireCairo(cairo_status(&page_));
   }
 
  private:
@@ -171,25 +150,40 @@ class PdfPainter {
   double choose(const TextPiece& piece) {
     cairo_set_font_face(&page_, faceOf(*piece.piece.font));
     cairo_set_font_size(&page_, piece.size);
+    if (!piece.piece.shaped.glyphs.empty()) return piece.size * piece.piece.shaped.length;
     cairo_text_extents_t extents{};
     cairo_text_extents(&page_, piece.piece.text.c_str(), &extents);
     return extents.x_advance;
   }
 
-  cairo_font_face_t* faceOf(const Font& font) {
-    FacePtrOfCairo& face = faces_[font.file];
-    if (!face) {
-      FcPattern* pattern = FcPatternBuild(nullptr, FC_FILE, FcTypeString, font.file.c_str(), nullptr);
-      face.reset(cairo_ft_font_face_create_for_pattern(pattern));
-      FcPatternDestroy(pattern);
-      require(cairo_font_face_status(face.get()));
+  /// With the letters that they stand for, which can be searched.
+  void showGlyphs(const TextPiece& piece, double pen) {
+    const std::string& text = piece.piece.text;
+    std::vector<cairo_glyph_t> glyphs;
+    std::vector<cairo_text_cluster_t> clusters;
+    const auto& shaped = piece.piece.shaped.glyphs;
+    for (std::size_t k = 0; k < shaped.size(); ++k) {
+      glyphs.push_back({shaped[k].index, pen + piece.size * shaped[k].at.x(),
+                        -piece.lift - piece.size * shaped[k].at.y()});
+      if (k == 0 || shaped[k].letter != shaped[k - 1].letter) clusters.push_back({0, 0});
+      ++clusters.back().num_glyphs;
+      const std::size_t next = k + 1 < shaped.size() ? shaped[k + 1].letter : text.size();
+      clusters.back().num_bytes += static_cast<int>(next - shaped[k].letter);
     }
+    cairo_show_text_glyphs(&page_, text.data(), static_cast<int>(text.size()), glyphs.data(),
+                           static_cast<int>(glyphs.size()), clusters.data(),
+                           static_cast<int>(clusters.size()), cairo_text_cluster_flags_t{});
+  }
+
+  cairo_font_face_t* faceOf(const Font& font) {
+    CairoFace& face = faces_[font.file];
+    if (!face) face = cairoFace(font.file);
     return face.get();
   }
 
   cairo_t& page_;
   double height_;
-  std::map<std::string, FacePtrOfCairo> faces_;
+  std::map<std::string, CairoFace> faces_;
 };
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
@@ -202,18 +196,18 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
 std::string pdfText(const PrintPage& page) {
   std::string text;
   const double scale = page.pointsPerPixel;
-  const SurfacePtr surface(
+  const CairoSurface surface(
       cairo_pdf_surface_create_for_stream(append, &text, scale * page.size[0], scale * page.size[1]));
   // No date: the same page has the same bytes.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, page.title.c_str());
-  const ContextPtr context(cairo_create(surface.get()));
+  const CairoContext context(cairo_create(surface.get()));
   cairo_scale(context.get(), scale, scale);
   PdfPainter painter(*context, page.size[1]);
   for (const PageSketch::Shape& shape : page.sketch.shapes) std::visit(painter, shape);
-  require(cairo_status(context.get()));
+  requireCairo(cairo_status(context.get()));
   cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
+  requireCairo(cairo_surface_status(surface.get()));
   return text;
 }
 

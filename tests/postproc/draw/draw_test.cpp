@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <vtkImageData.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -26,8 +28,10 @@
 #include "postproc/draw/page/color_name.h"
 #include "postproc/draw/page/color_scale.h"
 #include "postproc/draw/page/doubt_mark.h"
+#include "postproc/draw/page/font.h"
 #include "postproc/draw/page/overlay.h"
 #include "postproc/draw/page/picture_warnings.h"
+#include "postproc/draw/page/shaped_text.h"
 #include "postproc/draw/page/theme.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/text/ticks.h"
@@ -633,14 +637,58 @@ TEST(Fonts, ScriptsFromRightToLeftAreSetAsTheyAreRead) {
   EXPECT_EQ(drawn("Größe Ω"), "Größe Ω");
 }
 
-TEST(Fonts, LettersThatJoinAreToldOf) {
+/// "ki": the sign of the vowel is written behind the consonant and stands before it. "kṣa": two consonants and the sign that
+/// joins them are one glyph.
+TEST(Fonts, LettersOfIndicScriptsJoinAndChangeTheirOrder) {
   takeWarnings();
-  noteDrawnText("शल", kDefaultFont);
-  EXPECT_THAT(takeWarnings(),
-              testing::Contains(
-                  "\"शल\" has letters of a script that join beside one another, which are set one by one"));
-  noteDrawnText("Größe Ω שלום", kDefaultFont);
+  const auto pieces = fontPieces("F कि N", kDefaultFont);
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[1].letters, "कि");
+  EXPECT_EQ(pieces[1].font->family, "Lohit Devanagari");
+  const auto& [glyphs, length] = pieces[1].shaped;
+  ASSERT_EQ(glyphs.size(), 2U);
+  const auto soloOf = [](const std::string& letter) {
+    return fontPieces(letter, kDefaultFont).front().shaped;
+  };
+  EXPECT_EQ(glyphs[1].index, soloOf("क").glyphs.front().index);
+  EXPECT_GT(glyphs[1].at.x(), 0.0);
+  EXPECT_EQ(glyphs[0].letter, glyphs[1].letter);
+  EXPECT_NEAR(length, glyphs[1].at.x() + soloOf("क").length, 1e-12);
+
+  const ShapedText joined = soloOf("क्ष");
+  EXPECT_EQ(joined.glyphs.size(), 1U);
+  EXPECT_NEAR(textWidth({{"क्ष"}}, {.size = 20.0}), 20.0 * joined.length, 1e-12);
+  for (const std::string text : {"कि", "Größe Ω שלום"}) noteDrawnText(text, kDefaultFont);
   EXPECT_THAT(takeWarnings(), testing::IsEmpty());
+}
+
+/// The same in pixels: the line that joins letters is one, without gaps.
+TEST(Fonts, GlyphsArePaintedWhereTheyBelong) {
+  const FontPiece word = fontPieces("शक्ति", kDefaultFont).front();
+  const auto covered = [&](bool upwards) {
+    const auto [pixels, corner] = glyphPicture(word.shaped, word.font->file, 40, {10, 20, 30}, upwards);
+    const int* size = pixels->GetDimensions();
+    Eigen::MatrixXd cover(size[0], size[1]);
+    for (int x = 0; x < size[0]; ++x)
+      for (int y = 0; y < size[1]; ++y) {
+        const auto* pixel = static_cast<const unsigned char*>(pixels->GetScalarPointer(x, y, 0));
+        EXPECT_EQ(pixel[2], 30);
+        cover(x, y) = pixel[3] / 255.0;
+      }
+    return std::pair{cover, corner};
+  };
+  const auto [level, corner] = covered(false);
+  EXPECT_NEAR(static_cast<double>(level.rows()), 40 * word.shaped.length, 8.0);
+  EXPECT_LE(corner.x(), 0.0);
+  Eigen::Index fullest = 0;
+  level.colwise().sum().maxCoeff(&fullest);
+  EXPECT_GT(level.col(fullest).segment(4, level.rows() - 8).minCoeff(), 0.9);
+
+  const auto [turned, turnedCorner] = covered(true);
+  ASSERT_EQ(turned.rows(), level.cols());
+  EXPECT_EQ(turned, level.rowwise().reverse().transpose());
+  EXPECT_EQ(turnedCorner.y(), corner.x());
+  EXPECT_EQ(turnedCorner.x(), -(corner.y() + static_cast<double>(level.cols())));
 }
 
 TEST(FittedTexts, OfAnyLengthAreCutAfterTheLastLetterThatFits) {

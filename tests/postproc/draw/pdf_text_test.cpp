@@ -58,6 +58,11 @@ TEST_F(PdfText, HasMoreLettersThanAByteTells) {
   for (const std::string& label : labels) EXPECT_THAT(text, HasSubstr(label));
 }
 
+TEST_F(PdfText, HasTheLettersOfGlyphsThatJoin) {
+  const std::string text = told(labelled("शक्ति और क्षमता"), "pdftotext a.pdf -");
+  EXPECT_THAT(text, HasSubstr("शक्ति और क्षमता"));
+}
+
 TEST_F(PdfText, FontsAreEmbeddedAndBytesTheSame) {
   EXPECT_THAT(told(labelled("ε"), "pdffonts a.pdf"), HasSubstr(" yes yes yes "));
   const std::string first = readText(dir_ / "a.pdf");
