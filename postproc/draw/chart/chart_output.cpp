@@ -18,6 +18,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -87,7 +88,7 @@ class SketchPainter {
   void paint(vtkContext2D& painter, const SketchText& text, double shift) const {
     noteDrawnText(text.text, text.style.font);
     const std::vector<FontPiece> pieces = fontPieces(text.text, text.style.font);
-    if (pieces.size() == 1 && pieces.front().shaped.glyphs.empty()) {
+    if (pieces.size() == 1 && !isShaped(pieces.front())) {
       SketchText whole = text;
       whole.text = pieces.front().text;
       return paintPiece(painter, whole, *pieces.front().font, VTK_TEXT_CENTERED, shift);
@@ -104,18 +105,14 @@ class SketchPainter {
     for (const FontPiece& piece : pieces) {
       part.text = piece.text;
       part.at = pen;
-      if (!piece.shaped.glyphs.empty() && isPicture(painter)) {
+      if (isShaped(piece)) {
         paintGlyphs(painter, part, piece, shift);
       } else {
         part.at -= piece.font->descent * text.style.size * upwards;
-        paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift, piece.shaped.glyphs.empty());
+        paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift);
       }
       pen += textWidth({{piece.text}}, text.style) * along;
     }
-  }
-
-  static bool isPicture(vtkContext2D& painter) {
-    return vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice()) == nullptr;
   }
 
   void paintGlyphs(vtkContext2D& painter, const SketchText& text, const FontPiece& piece,
@@ -128,9 +125,8 @@ class SketchPainter {
                       std::round(at[1]) + static_cast<float>(corner.y()), pixels);
   }
 
-  /// asOutlines: in SVG, with outlines of letters; what reads SVG makes the others join.
-  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical, double shift,
-                  bool asOutlines = true) const {
+  void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical,
+                  double shift) const {
     const auto& [size, color, name] = text.style;
     vtkNew<vtkTextProperty> property;
     property->SetFontFamily(VTK_FONT_FILE);
@@ -150,10 +146,8 @@ class SketchPainter {
     // A picture that looks the same everywhere has outlines of letters; text that can be selected lies over
     // them, unseen.
     if (auto* svg = vtkSVGContextDevice2D::SafeDownCast(painter.GetDevice())) {
-      if (asOutlines) {
-        draw(text.text);
-        property->SetOpacity(0.0);
-      }
+      draw(text.text);
+      property->SetOpacity(0.0);
       property->SetFontSize(static_cast<int>(std::lround(kPointsPerPixel * scale_ * size)));
       svg->SetTextAsPath(false);
       draw(text.text);
@@ -207,7 +201,7 @@ vtkSmartPointer<vtkSVGExporter> svgExporter() {
   return vtkSmartPointer<vtkSVGExporter>::Take(make());
 }
 
-/// Writes with the exporter of VTK, which neither throws nor says whether it failed: the file must have its end.
+/// Writes letters as outlines, one by one, with the exporter of VTK, which neither throws nor says whether it failed: the file must have its end.
 void writeSvg(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto exporter = svgExporter();
   const std::filesystem::path partial = partialName(file);
@@ -248,6 +242,13 @@ PageSketch::Shape onPage(const SketchText& text) {
                   text.direction};
 }
 
+bool hasShapedText(const ChartSketch& sketch) {
+  return std::ranges::any_of(sketch.shapes, [](const auto& shape) {
+    const auto* text = std::get_if<SketchText>(&shape);
+    return text != nullptr && std::ranges::any_of(fontPieces(text->text, text->style.font), isShaped);
+  });
+}
+
 }  // namespace
 
 PrintPage pageOf(const ChartSketch& sketch) {
@@ -260,8 +261,8 @@ PrintPage pageOf(const ChartSketch& sketch) {
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();
   if (ending == ".png") return writePicture(sketch, file);
-  if (ending == ".svg") return writeSvg(sketch, file);
-  if (ending == ".pdf") return writePrint(pageOf(sketch), file);
+  if (ending == ".svg" && !hasShapedText(sketch)) return writeSvg(sketch, file);
+  if (ending == ".svg" || ending == ".pdf") return writePrint(pageOf(sketch), file);
   throw Error(
       fmt::format("\"{}\": expected the name of a chart that ends in .png, .svg or .pdf", file.string()));
 }

@@ -294,7 +294,7 @@ std::vector<FontPiece> fontPieces(const std::string& text, const std::string& na
   const bool isTurned = hasLettersFromRightToLeft(text);
   std::vector<FontPiece> pieces;
   const auto add = [&](const std::string& part, const LoadedFont& in, const std::string& letters) {
-    if (pieces.empty() || pieces.back().font != &in.font || !pieces.back().shaped.glyphs.empty())
+    if (pieces.empty() || pieces.back().font != &in.font || isShaped(pieces.back()))
       pieces.push_back({"", &in.font, ""});
     pieces.back().text += part;
     if (!isTurned) pieces.back().letters += letters;
@@ -330,9 +330,9 @@ void noteDrawnText(const std::string& text, const std::string& name) {
   std::set<char32_t> missing;
   bool isTorn = false;
   for (const Cluster& cluster : clustersOf(text)) {
-    const bool isShaped = cluster.joins && shapedWord(cluster, wanted, substitute).font != nullptr;
-    isTorn = isTorn || (cluster.joins && !isShaped);
-    if (isShaped) continue;
+    const bool isWhole = cluster.joins && shapedWord(cluster, wanted, substitute).font != nullptr;
+    isTorn = isTorn || (cluster.joins && !isWhole);
+    if (isWhole) continue;
     for (const char32_t letter : cluster.letters)
       if (fontFor(letter, wanted, substitute) == nullptr) missing.insert(letter);
   }

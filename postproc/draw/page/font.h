@@ -32,6 +32,11 @@ struct FontPiece {
   ShapedText shaped{};  ///< has glyphs if they are not those of one letter after the other
 };
 
+/// Whether it is painted by its glyphs.
+inline bool isShaped(const FontPiece& piece) {
+  return !piece.shaped.glyphs.empty();
+}
+
 /// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
 /// default font, or in another one that is installed; a letter that none has becomes a box. Scripts from right to left have the order
 /// and the forms in which they are read (Unicode's bidirectional algorithm), and those of South and Southeast Asia the glyphs that the

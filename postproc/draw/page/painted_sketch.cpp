@@ -89,7 +89,7 @@ class SketchPainter {
     const Eigen::Vector2d along = unitAlong(text.direction), upwards(-along.y(), along.x());
     Eigen::Vector2d pen = text.at - shareBefore(text.anchor) * textWidth(text.text, text.style) * along;
     for (const TextPiece& piece : textPieces(text.text, text.style)) {
-      if (piece.piece.shaped.glyphs.empty())
+      if (!isShaped(piece.piece))
         addPiece(piece, pen + piece.lift * upwards, text);
       else
         addGlyphs(piece, pen + piece.lift * upwards, text);

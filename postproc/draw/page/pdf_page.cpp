@@ -89,7 +89,7 @@ class PdfPainter {
     double pen = -shareBefore(text.anchor) * width;
     for (const TextPiece& piece : pieces) {
       const double length = choose(piece);
-      if (piece.piece.shaped.glyphs.empty()) {
+      if (!isShaped(piece.piece)) {
         cairo_move_to(&page_, pen, -piece.lift);
         cairo_show_text(&page_, piece.piece.text.c_str());
       } else {
@@ -150,7 +150,7 @@ class PdfPainter {
   double choose(const TextPiece& piece) {
     cairo_set_font_face(&page_, faceOf(*piece.piece.font));
     cairo_set_font_size(&page_, piece.size);
-    if (!piece.piece.shaped.glyphs.empty()) return piece.size * piece.piece.shaped.length;
+    if (isShaped(piece.piece)) return piece.size * piece.piece.shaped.length;
     cairo_text_extents_t extents{};
     cairo_text_extents(&page_, piece.piece.text.c_str(), &extents);
     return extents.x_advance;

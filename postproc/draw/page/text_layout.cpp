@@ -81,7 +81,7 @@ int fontSize(double size, double scale) {
 double advance(const TextPiece& piece) {
   // As large as it is drawn: letters are set at whole pixels, so their distances are not proportional to the
   // size.
-  if (!piece.piece.shaped.glyphs.empty()) return piece.size * piece.piece.shaped.length;
+  if (isShaped(piece.piece)) return piece.size * piece.piece.shaped.length;
   constexpr int scale = OffscreenCanvas::kSupersampling;
   const int size = fontSize(piece.size, scale);
   const Font& font = *piece.piece.font;

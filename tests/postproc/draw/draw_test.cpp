@@ -664,7 +664,7 @@ TEST(Fonts, LettersOfIndicScriptsJoinAndChangeTheirOrder) {
 
 /// The same in pixels: the line that joins letters is one, without gaps.
 TEST(Fonts, GlyphsArePaintedWhereTheyBelong) {
-  const FontPiece word = fontPieces("शक्ति", kDefaultFont).front();
+  const FontPiece word = fontPieces("किताब", kDefaultFont).front();
   const auto covered = [&](bool upwards) {
     const auto [pixels, corner] = glyphPicture(word.shaped, word.font->file, 40, {10, 20, 30}, upwards);
     const int* size = pixels->GetDimensions();

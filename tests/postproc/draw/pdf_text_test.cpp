@@ -63,6 +63,14 @@ TEST_F(PdfText, HasTheLettersOfGlyphsThatJoin) {
   EXPECT_THAT(text, HasSubstr("शक्ति और क्षमता"));
 }
 
+/// What reads SVG has them join: a text stands there in one piece, and turned where the picture has it turned.
+TEST_F(PdfText, LettersThatJoinAreNoOutlinesInSvg) {
+  Chart chart = labelled("a");
+  chart.y.title = "बल और क्षमता";
+  drawChart(chart, dir_ / "a.svg");
+  EXPECT_THAT(readText(dir_ / "a.svg"), testing::ContainsRegex("rotate.-90.[^>]*>बल और क्षमता</text>"));
+}
+
 TEST_F(PdfText, FontsAreEmbeddedAndBytesTheSame) {
   EXPECT_THAT(told(labelled("ε"), "pdffonts a.pdf"), HasSubstr(" yes yes yes "));
   const std::string first = readText(dir_ / "a.pdf");
