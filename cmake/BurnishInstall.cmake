@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS burnish RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 set(modules "${CMAKE_INSTALL_LIBDIR}/burnish")  # where the program looks for what it loads later
-set(loaded burnish_readers burnish_svg)
+set(loaded burnish_readers burnish_svg burnish_shaper)
 if(BURNISH_LATE_VTK)
   list(APPEND loaded burnish_late_vtk)
 endif()

@@ -15,7 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 CONFIG = "share/cmake/burnish"
 # What the packages are for, and what they leave to others.
 HELD = {
-    "program": ["bin/burnish", "**/burnish_readers.so", "**/burnish_svg.so",
+    "program": ["bin/burnish", "**/burnish_readers.so", "**/burnish_svg.so", "**/burnish_shaper.so",
                 f"{CONFIG}/burnishConfig.cmake", f"{CONFIG}/burnishConfigVersion.cmake", f"{CONFIG}/BurnishImageTest.cmake"],
     "multigrid": ["**/burnish_petsc.so"],
     "cad": ["**/burnish_occt.so"],

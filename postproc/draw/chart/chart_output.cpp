@@ -37,6 +37,7 @@
 #include "engine/core/output_file.h"
 #include "postproc/draw/chart/chart_scene.h"
 #include "postproc/draw/page/font.h"
+#include "postproc/draw/page/glyph_picture.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/offscreen/offscreen_canvas.h"
@@ -111,18 +112,18 @@ class SketchPainter {
         part.at -= piece.font->descent * text.style.size * upwards;
         paintPiece(painter, part, *piece.font, VTK_TEXT_BOTTOM, shift);
       }
-      pen += textWidth({{piece.text}}, text.style) * along;
+      pen += advance({piece, text.style.size, 0.0}) * along;
     }
   }
 
   void paintGlyphs(vtkContext2D& painter, const SketchText& text, const FontPiece& piece,
                    double shift) const {
     const int size = static_cast<int>(std::lround(scale_ * text.style.size));
-    const auto [pixels, corner] = glyphPicture(piece.shaped, piece.font->file, size, text.style.color,
-                                               text.direction == Overlay::Direction::Up);
-    const std::vector<float> at = scaled({text.at}, shift);
-    painter.DrawImage(std::round(at[0]) + static_cast<float>(corner.x()),
-                      std::round(at[1]) + static_cast<float>(corner.y()), pixels);
+    const auto [pixels, fromStart] = glyphPicture(piece.shaped, piece.font->file, size, text.style.color,
+                                                  text.direction == Overlay::Direction::Up);
+    // Whole pixels before the shift, which is one too: in strips of the picture as in the whole.
+    const Eigen::Vector2d corner = (scale_ * text.at).array().round() + fromStart.array();
+    painter.DrawImage(static_cast<float>(corner.x()), static_cast<float>(corner.y() + shift), pixels);
   }
 
   void paintPiece(vtkContext2D& painter, const SketchText& text, const Font& font, int vertical,
@@ -258,11 +259,25 @@ PrintPage pageOf(const ChartSketch& sketch) {
   return page;
 }
 
+namespace {
+
+/// As large as those of VTK, and on paper.
+PrintPage drawingOf(const ChartSketch& sketch) {
+  PrintPage page = pageOf(sketch);
+  page.pointsPerPixel = kPointsPerPixel;
+  auto& shapes = page.sketch.shapes;
+  shapes.insert(shapes.begin(), wholePage(page.size, sketch.paper));
+  return page;
+}
+
+}  // namespace
+
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();
   if (ending == ".png") return writePicture(sketch, file);
   if (ending == ".svg" && !hasShapedText(sketch)) return writeSvg(sketch, file);
-  if (ending == ".svg" || ending == ".pdf") return writePrint(pageOf(sketch), file);
+  if (ending == ".svg") return writePrint(drawingOf(sketch), file);
+  if (ending == ".pdf") return writePrint(pageOf(sketch), file);
   throw Error(
       fmt::format("\"{}\": expected the name of a chart that ends in .png, .svg or .pdf", file.string()));
 }

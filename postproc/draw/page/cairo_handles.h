@@ -24,7 +24,7 @@ void requireCairo(cairo_status_t status);
 /// Throws `Error` if the file cannot be read.
 CairoFace cairoFace(const std::string& fontFile);
 
-/// Letters stand where they belong, not at whole pixels.
+/// Letters stand where they belong on paper, not at whole pixels.
 void placeLettersExactly(cairo_t& page);
 
 }  // namespace burnish

@@ -154,6 +154,7 @@ struct Cluster {
   std::string text;
   std::vector<char32_t> letters;
   bool joins = false;
+  char32_t script = 0;  ///< of letters that join
 };
 
 bool isMark(char32_t letter) {
@@ -164,6 +165,12 @@ bool isMark(char32_t letter) {
 bool isOfJoiningScript(char32_t letter) {
   return (letter >= 0x900 && letter <= 0xDFF) || (letter >= 0xF00 && letter <= 0x109F) ||
          (letter >= 0x1780 && letter <= 0x17FF);
+}
+
+/// A number of the script of such a letter, which has blocks of its own; 0 for signs that all have.
+char32_t joiningScript(char32_t letter) {
+  const bool isDanda = letter == 0x964 || letter == 0x965;
+  return isDanda ? 0 : letter < 0xE00 ? letter >> 7U : 0x100 + (letter >> 8U);
 }
 
 /// Within words of such scripts: tells letters to join, or not to.
@@ -187,9 +194,13 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const auto [letter, length] = letterAt(text, at);
     const bool joins = isOfJoiningScript(letter);
-    const bool goesOn =
-        !clusters.empty() && (isMark(letter) || (clusters.back().joins && (joins || isJoiner(letter))));
-    if (!goesOn) clusters.push_back({{}, {}, joins});
+    const char32_t script = joins ? joiningScript(letter) : 0;
+    const auto goesOn = [&](const Cluster& word) {
+      const bool isSameScript = joins && (script == 0 || word.script == 0 || script == word.script);
+      return isMark(letter) || (word.joins && (isSameScript || isJoiner(letter)));
+    };
+    if (clusters.empty() || !goesOn(clusters.back())) clusters.push_back({{}, {}, joins});
+    if (script != 0) clusters.back().script = script;
     const bool blank = letter == '\n' || letter == '\t';
     clusters.back().text += blank ? " " : length > 0 ? text.substr(at, length) : kReplacement;
     clusters.back().letters.push_back(blank ? U' ' : letter);
@@ -207,6 +218,19 @@ bool hasLettersFromRightToLeft(const std::string& text) {
   return false;
 }
 
+/// Leaves out those of the first letters that only tell the direction, and all joiners but those of letters that join.
+/// Returns how many are left.
+FriBidiStrIndex removeMarks(std::vector<FriBidiChar>& letters, FriBidiStrIndex count) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    FriBidiChar letter = letters[k];
+    const bool joins = isJoiner(letter) && k > 0 && isOfJoiningScript(letters[k - 1]);
+    if (joins || fribidi_remove_bidi_marks(&letter, 1, nullptr, nullptr, nullptr) > 0)
+      letters[kept++] = letters[k];
+  }
+  return static_cast<FriBidiStrIndex>(kept);
+}
+
 /// A text as it is set from left to right: letters in the order and the forms in which they are seen.
 std::string inVisualOrder(const std::string& text) {
   std::vector<FriBidiChar> letters;
@@ -217,7 +241,7 @@ std::string inVisualOrder(const std::string& text) {
   FriBidiParType direction = FRIBIDI_PAR_ON;
   if (fribidi_log2vis(letters.data(), count, &direction, seen.data(), nullptr, nullptr, nullptr) == 0)
     return text;
-  count = fribidi_remove_bidi_marks(seen.data(), count, nullptr, nullptr, nullptr);
+  count = removeMarks(seen, count);
   std::vector<char> bytes(4 * letters.size() + 1);
   fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, seen.data(), count, bytes.data());
   return bytes.data();
@@ -260,15 +284,15 @@ struct ShapedWord {
 
 /// In the font of this name, the default one, or another that has all letters.
 ShapedWord shapedWord(const Cluster& word, const LoadedFont& wanted, const LoadedFont& substitute) {
-  const auto rare = std::max_element(word.letters.begin(), word.letters.end(), [](char32_t a, char32_t b) {
-    return isOfJoiningScript(a) < isOfJoiningScript(b);
-  });
-  for (const LoadedFont* font : {&wanted, &substitute, fontWithLetter(*rare)}) {
-    if (font == nullptr) continue;
+  const auto set = [&](const LoadedFont* font) -> ShapedWord {
+    if (font == nullptr) return {};
     ShapedText text = shapedText(word.text, font->font.file);
-    if (!text.glyphs.empty()) return {font, std::move(text)};
-  }
-  return {};
+    return text.glyphs.empty() ? ShapedWord{} : ShapedWord{font, std::move(text)};
+  };
+  ShapedWord found = set(&wanted);
+  if (found.font == nullptr) found = set(&substitute);
+  if (found.font == nullptr) found = set(fontWithLetter(word.letters.front()));
+  return found;
 }
 
 /// The font of this name, the default one, or another that has the letter; null: none has it.

@@ -25,6 +25,7 @@
 #include <variant>
 #include <vector>
 
+#include "postproc/draw/page/glyph_picture.h"
 #include "postproc/draw/page/page_sketch.h"
 
 namespace burnish {

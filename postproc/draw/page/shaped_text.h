@@ -1,14 +1,8 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
 #include <Eigen/Dense>
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "postproc/draw/page/color_scale.h"
-
-class vtkImageData;
 
 namespace burnish {
 
@@ -25,17 +19,7 @@ struct ShapedText {
   double length = 0.0;  ///< part of the font size
 };
 
-/// Without glyphs if the font has none for a part of the text.
+/// Without glyphs if the font has none for a part of the text. Throws `ModuleError` if what shapes is not there.
 ShapedText shapedText(const std::string& text, const std::string& fontFile);
-
-/// Pixels of one colour and any opacity that show glyphs, lowest row first.
-struct GlyphPicture {
-  vtkSmartPointer<vtkImageData> pixels;
-  Eigen::Vector2d corner;  ///< its lower left one, from the start of the baseline; whole pixels
-};
-
-/// size: height of the font in pixels. upwards: turned to the left, along a line that goes up.
-GlyphPicture glyphPicture(const ShapedText& text, const std::string& fontFile, int size, const Color& color,
-                          bool upwards);
 
 }  // namespace burnish

@@ -147,7 +147,7 @@ std::string svgText(const PrintPage& page) {
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{}pt\" height=\"{}pt\" "
-      "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n{}</svg>\n",
+      "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n<g>\n{}</g>\n</svg>\n",
       paper(page.size[0]), paper(page.size[1]), length(page.size[0]), length(page.size[1]),
       escaped(page.title), painter.text());
 }

@@ -81,9 +81,9 @@ int fontSize(double size, double scale) {
 double advance(const TextPiece& piece) {
   // As large as it is drawn: letters are set at whole pixels, so their distances are not proportional to the
   // size.
-  if (isShaped(piece.piece)) return piece.size * piece.piece.shaped.length;
   constexpr int scale = OffscreenCanvas::kSupersampling;
   const int size = fontSize(piece.size, scale);
+  if (isShaped(piece.piece)) return size * piece.piece.shaped.length / scale;
   const Font& font = *piece.piece.font;
   return static_cast<double>(boxWidth("|" + piece.piece.text + "|", size, font) -
                              boxWidth("||", size, font)) /

@@ -77,6 +77,15 @@ Chart errors() {
   return chart;
 }
 
+/// Letters of Devanagari, which join, level and upwards.
+TEST_F(ChartImage, LettersThatJoin) {
+  Chart chart = energies();
+  chart.title = "विकृति ऊर्जा";
+  chart.y.title = "ऊर्जा ψ̄ [N]";
+  for (ChartCurve& curve : chart.curves) curve.label = "क्रम " + curve.label;
+  expectBaseline(chart, "chart_devanagari");
+}
+
 TEST_F(ChartImage, SixCurvesThatNearlyCoincide) {
   expectBaseline(energies(), "chart_energies");
 }

@@ -337,6 +337,13 @@ TEST_F(ContourPictures, EveryPictureFromTinyToLargeKeepsItsTextsInside) {
   }
 }
 
+/// Letters of Devanagari, which join.
+TEST_F(ContourPictures, LettersThatJoin) {
+  ContourOptions options = small("plastic_strain");
+  options.title = "कठोर पिंड: विकृति (ε̄ₚ)";
+  expectBaseline(samples::slab(), options, "slab_devanagari");
+}
+
 TEST_F(ContourPictures, SameBytesEveryTime) {
   const Sample sample = samples::slab();
   drawContour(sample.model, sample.frame, small("plastic_strain"), dir / "first.png");

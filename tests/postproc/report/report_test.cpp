@@ -52,6 +52,17 @@ class Report : public testing::Test {
   fs::path run_ = scratch_.path() / "press";
 };
 
+TEST(HtmlParts, ChartsWithLettersThatJoinAreDrawingsToo) {
+  CaptionedChart chart;
+  chart.caption = "A chart";
+  chart.chart.curves.push_back({"a", {0, 1}, {0, 1}, {}});
+  for (const std::string title : {"force", "बल"}) {
+    chart.chart.y.title = title;
+    EXPECT_THAT(htmlCharts({chart}), testing::AllOf(HasSubstr("aria-label=\"A chart\"><g"), HasSubstr(title),
+                                                    HasSubstr("</svg>")));
+  }
+}
+
 TEST_F(Report, ASoundRunHasNoWarning) {
   EXPECT_THAT(warnings(), IsEmpty());
 }
