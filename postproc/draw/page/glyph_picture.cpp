@@ -13,7 +13,7 @@ namespace burnish {
 namespace {
 
 /// Of what graphics take as one picture.
-constexpr int kMostPixels = 16'000;
+constexpr int kLongestSide = 16'000;
 
 /// Makes the outlines of the glyphs the page's path, from a place on a page whose y goes down.
 void addOutlines(cairo_t& page, const ShapedText& text, const std::string& fontFile, int size, double x,
@@ -38,8 +38,8 @@ GlyphPicture glyphPicture(const ShapedText& text, const std::string& fontFile, i
   addOutlines(*measure, text, fontFile, size, 0.0, 0.0);
   cairo_path_extents(measure.get(), &x0, &y0, &x1, &y1);
   const int left = static_cast<int>(std::floor(x0)), top = static_cast<int>(std::floor(y0));
-  const int width = std::clamp(static_cast<int>(std::ceil(x1)) - left, 1, kMostPixels);
-  const int height = std::clamp(static_cast<int>(std::ceil(y1)) - top, 1, kMostPixels);
+  const int width = std::clamp(static_cast<int>(std::ceil(x1)) - left, 1, kLongestSide);
+  const int height = std::clamp(static_cast<int>(std::ceil(y1)) - top, 1, kLongestSide);
 
   const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
   const CairoContext page(cairo_create(surface.get()));
