@@ -118,9 +118,9 @@ class SketchPainter {
 
   void paintGlyphs(vtkContext2D& painter, const SketchText& text, const FontPiece& piece,
                    double shift) const {
-    const int size = static_cast<int>(std::lround(scale_ * text.style.size));
-    const auto [pixels, fromStart] = glyphPicture(piece.shaped, piece.font->file, size, text.style.color,
-                                                  text.direction == Overlay::Direction::Up);
+    const auto [pixels, fromStart] =
+        glyphPicture(piece.shaped, piece.font->file, fontSize(text.style.size, scale_), text.style.color,
+                     text.direction == Overlay::Direction::Up);
     // Whole pixels before the shift, which is one too: in strips of the picture as in the whole.
     const Eigen::Vector2d corner = (scale_ * text.at).array().round() + fromStart.array();
     painter.DrawImage(static_cast<float>(corner.x()), static_cast<float>(corner.y() + shift), pixels);
@@ -202,7 +202,8 @@ vtkSmartPointer<vtkSVGExporter> svgExporter() {
   return vtkSmartPointer<vtkSVGExporter>::Take(make());
 }
 
-/// Writes letters as outlines, one by one, with the exporter of VTK, which neither throws nor says whether it failed: the file must have its end.
+/// Writes letters as outlines, one by one, with the exporter of VTK, which neither throws nor says whether it
+/// failed: the file must have its end.
 void writeSvg(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto exporter = svgExporter();
   const std::filesystem::path partial = partialName(file);
@@ -250,17 +251,6 @@ bool hasShapedText(const ChartSketch& sketch) {
   });
 }
 
-}  // namespace
-
-PrintPage pageOf(const ChartSketch& sketch) {
-  PrintPage page{{static_cast<double>(sketch.size[0]), static_cast<double>(sketch.size[1])}, "chart", {}};
-  for (const auto& shape : sketch.shapes)
-    page.sketch.shapes.push_back(std::visit([](const auto& drawn) { return onPage(drawn); }, shape));
-  return page;
-}
-
-namespace {
-
 /// As large as those of VTK, and on paper.
 PrintPage drawingOf(const ChartSketch& sketch) {
   PrintPage page = pageOf(sketch);
@@ -271,6 +261,13 @@ PrintPage drawingOf(const ChartSketch& sketch) {
 }
 
 }  // namespace
+
+PrintPage pageOf(const ChartSketch& sketch) {
+  PrintPage page{{static_cast<double>(sketch.size[0]), static_cast<double>(sketch.size[1])}, "chart", {}};
+  for (const auto& shape : sketch.shapes)
+    page.sketch.shapes.push_back(std::visit([](const auto& drawn) { return onPage(drawn); }, shape));
+  return page;
+}
 
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();

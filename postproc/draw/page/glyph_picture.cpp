@@ -15,35 +15,43 @@ namespace {
 /// Of what graphics take as one picture.
 constexpr int kLongestSide = 16'000;
 
-/// Makes the outlines of the glyphs the page's path, from a place on a page whose y goes down.
-void addOutlines(cairo_t& page, const ShapedText& text, const std::string& fontFile, int size, double x,
-                 double y) {
-  placeLettersExactly(page);
-  cairo_set_font_face(&page, cairoFace(fontFile).get());
-  cairo_set_font_size(&page, size);
+using Outlines = CairoPtr<cairo_path_t, cairo_path_destroy>;
+
+/// Of the glyphs, and the box around them, on a page whose y goes down.
+struct GlyphOutlines {
+  Outlines path;
+  double x0, y0, x1, y1;
+};
+
+GlyphOutlines outlinesOf(const ShapedText& text, const std::string& fontFile, int size) {
+  const CairoSurface none(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
+  const CairoContext page(cairo_create(none.get()));
+  placeLettersExactly(*page);
+  cairo_set_font_face(page.get(), cairoFace(fontFile).get());
+  cairo_set_font_size(page.get(), size);
   std::vector<cairo_glyph_t> glyphs;
   for (const Glyph& glyph : text.glyphs)
-    glyphs.push_back({glyph.index, x + size * glyph.at.x(), y - size * glyph.at.y()});
-  cairo_glyph_path(&page, glyphs.data(), static_cast<int>(glyphs.size()));
-  requireCairo(cairo_status(&page));
+    glyphs.push_back({glyph.index, size * glyph.at.x(), -size * glyph.at.y()});
+  cairo_glyph_path(page.get(), glyphs.data(), static_cast<int>(glyphs.size()));
+  requireCairo(cairo_status(page.get()));
+  GlyphOutlines outlines{Outlines(cairo_copy_path(page.get())), 0.0, 0.0, 0.0, 0.0};
+  cairo_path_extents(page.get(), &outlines.x0, &outlines.y0, &outlines.x1, &outlines.y1);
+  return outlines;
 }
 
 }  // namespace
 
 GlyphPicture glyphPicture(const ShapedText& text, const std::string& fontFile, int size, const Color& color,
                           bool upwards) {
-  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
-  const CairoSurface none(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
-  const CairoContext measure(cairo_create(none.get()));
-  addOutlines(*measure, text, fontFile, size, 0.0, 0.0);
-  cairo_path_extents(measure.get(), &x0, &y0, &x1, &y1);
+  const auto [path, x0, y0, x1, y1] = outlinesOf(text, fontFile, size);
   const int left = static_cast<int>(std::floor(x0)), top = static_cast<int>(std::floor(y0));
   const int width = std::clamp(static_cast<int>(std::ceil(x1)) - left, 1, kLongestSide);
   const int height = std::clamp(static_cast<int>(std::ceil(y1)) - top, 1, kLongestSide);
 
   const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
   const CairoContext page(cairo_create(surface.get()));
-  addOutlines(*page, text, fontFile, size, -left, -top);
+  cairo_translate(page.get(), -left, -top);
+  cairo_append_path(page.get(), path.get());
   cairo_fill(page.get());
   requireCairo(cairo_status(page.get()));
   cairo_surface_flush(surface.get());

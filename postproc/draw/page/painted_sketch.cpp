@@ -90,10 +90,10 @@ class SketchPainter {
     const Eigen::Vector2d along = unitAlong(text.direction), upwards(-along.y(), along.x());
     Eigen::Vector2d pen = text.at - shareBefore(text.anchor) * textWidth(text.text, text.style) * along;
     for (const TextPiece& piece : textPieces(text.text, text.style)) {
-      if (!isShaped(piece.piece))
-        addPiece(piece, pen + piece.lift * upwards, text);
-      else
+      if (isShaped(piece.piece))
         addGlyphs(piece, pen + piece.lift * upwards, text);
+      else
+        addPiece(piece, pen + piece.lift * upwards, text);
       pen += advance(piece) * along;
     }
   }

@@ -89,11 +89,11 @@ class PdfPainter {
     double pen = -shareBefore(text.anchor) * width;
     for (const TextPiece& piece : pieces) {
       const double length = choose(piece);
-      if (!isShaped(piece.piece)) {
+      if (isShaped(piece.piece)) {
+        showGlyphs(piece, pen);
+      } else {
         cairo_move_to(&page_, pen, -piece.lift);
         cairo_show_text(&page_, piece.piece.text.c_str());
-      } else {
-        showGlyphs(piece, pen);
       }
       pen += length;
     }
