@@ -7,6 +7,7 @@
 #include <fribidi.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
@@ -161,16 +162,58 @@ bool isMark(char32_t letter) {
   return letter >= 0x300 && letter <= 0x36F;
 }
 
-/// Of the scripts of South and Southeast Asia whose letters join, and change their order.
-bool isOfJoiningScript(char32_t letter) {
-  return (letter >= 0x900 && letter <= 0xDFF) || (letter >= 0xF00 && letter <= 0x109F) ||
-         (letter >= 0x1780 && letter <= 0x17FF);
-}
+/// Letters of the scripts of South and Southeast Asia, which join or change their order, and whose marks stand over and
+/// under one another: the first and last of a block of Unicode, and what the blocks of one script share; 0: signs that
+/// several scripts have.
+struct JoiningBlock {
+  char32_t first, last, script;
+};
+constexpr std::array kJoiningBlocks = std::to_array<JoiningBlock>({
+    {0x0900, 0x0963, 0x0900},                            // Devanagari
+    {0x0964, 0x0965, 0},                                 // dandas
+    {0x0966, 0x097F, 0x0900}, {0x0980, 0x09FF, 0x0980},  // Bengali
+    {0x0A00, 0x0A7F, 0x0A00},                            // Gurmukhi
+    {0x0A80, 0x0AFF, 0x0A80},                            // Gujarati
+    {0x0B00, 0x0B7F, 0x0B00},                            // Oriya
+    {0x0B80, 0x0BFF, 0x0B80},                            // Tamil
+    {0x0C00, 0x0C7F, 0x0C00},                            // Telugu
+    {0x0C80, 0x0CFF, 0x0C80},                            // Kannada
+    {0x0D00, 0x0D7F, 0x0D00},                            // Malayalam
+    {0x0D80, 0x0DFF, 0x0D80},                            // Sinhala
+    {0x0E00, 0x0E7F, 0x0E00},                            // Thai
+    {0x0E80, 0x0EFF, 0x0E80},                            // Lao
+    {0x0F00, 0x0FFF, 0x0F00},                            // Tibetan
+    {0x1000, 0x109F, 0x1000},                            // Burmese
+    {0x1700, 0x171F, 0x1700},                            // Tagalog
+    {0x1720, 0x173F, 0x1720},                            // Hanunoo
+    {0x1740, 0x175F, 0x1740},                            // Buhid
+    {0x1760, 0x177F, 0x1760},                            // Tagbanwa
+    {0x1780, 0x17FF, 0x1780},                            // Khmer
+    {0x1900, 0x194F, 0x1900},                            // Limbu
+    {0x1A00, 0x1A1F, 0x1A00},                            // Buginese
+    {0x1A20, 0x1AAF, 0x1A20},                            // Tai Tham
+    {0x1B00, 0x1B7F, 0x1B00},                            // Balinese
+    {0x1B80, 0x1BBF, 0x1B80},                            // Sundanese
+    {0x1BC0, 0x1BFF, 0x1BC0},                            // Batak
+    {0x1C00, 0x1C4F, 0x1C00},                            // Lepcha
+    {0x1CD0, 0x1CFF, 0},                                 // Vedic signs
+    {0xA800, 0xA82F, 0xA800},                            // Syloti Nagri
+    {0xA880, 0xA8DF, 0xA880},                            // Saurashtra
+    {0xA8E0, 0xA8FF, 0x0900},                            // Devanagari
+    {0xA930, 0xA95F, 0xA930},                            // Rejang
+    {0xA980, 0xA9DF, 0xA980},                            // Javanese
+    {0xA9E0, 0xA9FF, 0x1000},                            // Burmese
+    {0xAA00, 0xAA5F, 0xAA00},                            // Cham
+    {0xAA60, 0xAA7F, 0x1000},                            // Burmese
+    {0xAA80, 0xAADF, 0xAA80},                            // Tai Viet
+    {0xAAE0, 0xAAFF, 0xABC0},                            // Meetei
+    {0xABC0, 0xABFF, 0xABC0},
+});
 
-/// A number of the script of such a letter, which has blocks of its own; 0 for signs that all have.
-char32_t joiningScript(char32_t letter) {
-  const bool isDanda = letter == 0x964 || letter == 0x965;
-  return isDanda ? 0 : letter < 0xE00 ? letter >> 7U : 0x100 + (letter >> 8U);
+/// Null for letters of other scripts.
+const JoiningBlock* joiningBlock(char32_t letter) {
+  const auto* block = std::ranges::lower_bound(kJoiningBlocks, letter, {}, &JoiningBlock::last);
+  return block != kJoiningBlocks.end() && block->first <= letter ? block : nullptr;
 }
 
 /// Within words of such scripts: tells letters to join, or not to.
@@ -193,8 +236,9 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   std::vector<Cluster> clusters;
   for (std::size_t at = 0; at < text.size();) {
     const auto [letter, length] = letterAt(text, at);
-    const bool joins = isOfJoiningScript(letter);
-    const char32_t script = joins ? joiningScript(letter) : 0;
+    const JoiningBlock* block = joiningBlock(letter);
+    const bool joins = block != nullptr;
+    const char32_t script = joins ? block->script : 0;
     const auto goesOn = [&](const Cluster& word) {
       const bool isSameScript = joins && (script == 0 || word.script == 0 || script == word.script);
       return isMark(letter) || (word.joins && (isSameScript || isJoiner(letter)));
@@ -224,7 +268,7 @@ FriBidiStrIndex removeMarks(std::vector<FriBidiChar>& letters, FriBidiStrIndex c
   std::size_t kept = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     FriBidiChar letter = letters[k];
-    const bool joins = isJoiner(letter) && k > 0 && isOfJoiningScript(letters[k - 1]);
+    const bool joins = isJoiner(letter) && k > 0 && joiningBlock(letters[k - 1]) != nullptr;
     if (joins || fribidi_remove_bidi_marks(&letter, 1, nullptr, nullptr, nullptr) > 0)
       letters[kept++] = letters[k];
   }

@@ -666,6 +666,19 @@ TEST(Fonts, LettersOfIndicScriptsJoinAndChangeTheirOrder) {
   EXPECT_THAT(takeWarnings(), testing::IsEmpty());
 }
 
+/// "nam": the sign is the mark over the consonant and the long vowel; the tone, which is written first, stands over the mark.
+TEST(Fonts, MarksOfLaoAndThaiStandOverOneAnother) {
+  const FontPiece word = fontPieces("ນ້ຳ", kDefaultFont).front();
+  EXPECT_EQ(word.font->family, kDefaultFont);
+  const auto& glyphs = word.shaped.glyphs;
+  ASSERT_EQ(glyphs.size(), 4U);
+  EXPECT_EQ(glyphs[1].index, fontPieces("ໍ", kDefaultFont).front().shaped.glyphs.back().index);
+  EXPECT_EQ(glyphs[2].index, fontPieces("້", kDefaultFont).front().shaped.glyphs.back().index);
+  EXPECT_NEAR(glyphs[1].at.x(), glyphs[2].at.x(), 1e-12);
+  EXPECT_NEAR(glyphs[3].at.x(), fontPieces("ນ", kDefaultFont).front().shaped.length, 1e-12);
+  EXPECT_EQ(fontPieces("ກ\u0E01", kDefaultFont).front().letters, "ກ") << "two scripts make two words";
+}
+
 TEST(Fonts, WordsThatNoFontHasWholeAreToldOf) {
   takeWarnings();
   noteDrawnText("क\u0358", kDefaultFont);  // a mark of Latin letters over one of Devanagari
