@@ -516,7 +516,7 @@ class ContourPicture {
       all.push_back({parts_.net, theme_.controlNet, 0.6 * line, kNet});
       all.push_back({parts_.net, theme_.controlNet, 4.0 * line, kNet, 1.0, true});
     }
-    if (parts_.undeformed) all.push_back(undeformedLines(view));
+    if (parts_.undeformed) all.push_back(undeformedLines(plan));
     all.push_back({parts_.outline, theme_.outline, line, kBodyOutline});
     for (const auto& part : {parts_.body, parts_.plain})
       if (part && !isFlat() && !(isOfContact() && part == parts_.body))
@@ -525,14 +525,20 @@ class ContourPicture {
   }
 
   /// In space lines are hidden by those that lie before them: of one that has hardly moved only the other one is drawn, and
-  /// one that has moved lies over faces that have bulged a little since, which would leave fragments of it.
-  SpaceLines undeformedLines(const View& view) const {
+  /// one that has moved lies over faces that have bulged a little since, which would leave fragments of it. It does not lie over
+  /// sections of tools, which nothing stands before.
+  SpaceLines undeformedLines(const Plan& plan) const {
+    const View& view = plan.layout.view;
     constexpr double kOverFaces = 0.016;
     const double line = lineWidth();
     SpaceLines lines{parts_.undeformed, theme_.undeformed, 0.8 * line, kUndeformed};
     if (isFlat() || !hasMotion(*parts_.undeformed)) return lines;
     lines.lines = movedLines(*parts_.undeformed, view, 1.5 * line);
     lines.lift = kOverFaces;
+    std::vector<vtkSmartPointer<vtkPolyData>> sections;
+    for (const ToolDrawing& tool : plan.tools)
+      if (tool.area) sections.push_back(tool.area);
+    if (!sections.empty()) lines.lines = besideSurfaces(*lines.lines, sections, view);
     return lines;
   }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -22,6 +23,35 @@
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
+namespace {
+
+/// Of a polygon whose corners are in columns; by the crossings of its edges with a line from the place to the right.
+bool covers(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& place) {
+  bool inside = false;
+  for (Eigen::Index k = 0, before = polygon.cols() - 1; k < polygon.cols(); before = k++) {
+    const Eigen::Vector2d a = polygon.col(before) - place, b = polygon.col(k) - place;
+    if ((a.y() > 0.0) != (b.y() > 0.0) && a.x() + (b.x() - a.x()) * a.y() / (a.y() - b.y()) > 0.0)
+      inside = !inside;
+  }
+  return inside;
+}
+
+/// Of surfaces, in pixels.
+std::vector<Eigen::Matrix2Xd> polygonsOf(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
+                                         const View& view) {
+  std::vector<Eigen::Matrix2Xd> polygons;
+  vtkNew<vtkIdList> ids;
+  for (const auto& surface : surfaces)
+    for (vtkIdType cell = 0; cell < surface->GetPolys()->GetNumberOfCells(); ++cell) {
+      surface->GetPolys()->GetCellAtId(cell, ids);
+      Eigen::Matrix2Xd& corners = polygons.emplace_back(2, ids->GetNumberOfIds());
+      for (Eigen::Index k = 0; k < corners.cols(); ++k)
+        corners.col(k) = view.pixel(Eigen::Vector3d(surface->GetPoint(ids->GetId(k))));
+    }
+  return polygons;
+}
+
+}  // namespace
 
 vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface) {
   vtkNew<vtkCleanPolyData> clean;
@@ -130,6 +160,38 @@ vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, do
   kept->SetPoints(whole.GetPoints());
   kept->SetLines(drawn);
   return kept;
+}
+
+vtkSmartPointer<vtkPolyData> besideSurfaces(vtkPolyData& lines,
+                                            const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
+                                            const View& view) {
+  const std::vector<Eigen::Matrix2Xd> polygons = polygonsOf(surfaces, view);
+  PolyBuilder builder;
+  std::vector<vtkIdType> piece;
+  const auto endPiece = [&] {
+    if (piece.size() > 1) builder.addLine(piece);
+    piece.clear();
+  };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < lines.GetLines()->GetNumberOfCells(); ++cell) {
+    lines.GetLines()->GetCellAtId(cell, ids);
+    for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k) {
+      const Eigen::Vector3d from(lines.GetPoint(ids->GetId(k))), to(lines.GetPoint(ids->GetId(k + 1)));
+      const double steps = std::max(1.0, std::ceil((view.pixel(to) - view.pixel(from)).norm()));
+      const auto at = [&](double step) -> Eigen::Vector3d { return from + step / steps * (to - from); };
+      for (double step = 0.0; step < steps; ++step) {
+        const Eigen::Vector2d middle = view.pixel(at(step + 0.5));
+        if (std::ranges::any_of(polygons, [&](const auto& polygon) { return covers(polygon, middle); })) {
+          endPiece();
+          continue;
+        }
+        if (piece.empty()) piece = builder.addPoints(at(step));
+        piece.push_back(builder.addPoints(at(step + 1.0)).front());
+      }
+    }
+    endPiece();
+  }
+  return builder.finish();
 }
 
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface) {

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "postproc/draw/page/view.h"
 
@@ -36,6 +37,11 @@ bool hasMotion(vtkPolyData& lines);
 /// Of lines with `kMoved`, each in one piece, from where it is first seen to have moved by so many pixels to where it last is; lines
 /// that have moved by less than three times as many have none. All of lines without it.
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels);
+
+/// Of lines what no polygon of one of the surfaces covers in a view, to a pixel. Lines and surfaces may lie in one plane.
+vtkSmartPointer<vtkPolyData> besideSurfaces(vtkPolyData& lines,
+                                            const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
+                                            const View& view);
 
 /// The border of a surface and its sharp edges.
 vtkSmartPointer<vtkPolyData> edgesOf(vtkPolyData& surface);

@@ -572,5 +572,27 @@ TEST(MovedLines, AreDrawnInOnePiece) {
   EXPECT_EQ(movedLines(*edges(4.0), view, 1.5)->GetNumberOfLines(), 0);
 }
 
+/// A line through both arms of a U in its plane.
+TEST(LinesOfBodies, EndWhereASurfaceLiesBeforeThem) {
+  PolyBuilder shape, through;
+  Eigen::Matrix2Xd corners(2, 8), ends(2, 3);
+  corners << 100, 200, 200, 160, 160, 140, 140, 100, 0, 0, 60, 60, 20, 20, 60, 60;
+  ends << 0, 170, 300, 40, 40, 40;
+  shape.addPolygon(shape.addPoints(corners));
+  through.addLine(through.addPoints(ends));
+  View view;
+  view.axes << 1, 0, 0, 0, 1, 0;
+  view.pixelsPerLength = 1.0;
+  const auto drawn = besideSurfaces(*through.finish(), {shape.finish()}, view);
+  vtkNew<vtkIdList> ids;
+  std::vector<double> places;
+  for (vtkIdType line = 0; line < drawn->GetNumberOfLines(); ++line) {
+    drawn->GetLines()->GetCellAtId(line, ids);
+    for (const vtkIdType end : {ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1)})
+      places.push_back(drawn->GetPoint(end)[0]);
+  }
+  EXPECT_THAT(places, testing::Pointwise(testing::DoubleNear(1.0), {0.0, 100.0, 140.0, 160.0, 200.0, 300.0}));
+}
+
 }  // namespace
 }  // namespace burnish
