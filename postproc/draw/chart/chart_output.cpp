@@ -244,10 +244,12 @@ PageSketch::Shape onPage(const SketchText& text) {
                   text.direction};
 }
 
-bool hasShapedText(const ChartSketch& sketch) {
+/// By glyphs, or by other letters than those that were written.
+bool hasTextSetOtherwise(const ChartSketch& sketch) {
   return std::ranges::any_of(sketch.shapes, [](const auto& shape) {
     const auto* text = std::get_if<SketchText>(&shape);
-    return text != nullptr && std::ranges::any_of(fontPieces(text->text, text->style.font), isShaped);
+    return text != nullptr && (hasLettersFromRightToLeft(text->text) ||
+                               std::ranges::any_of(fontPieces(text->text, text->style.font), isShaped));
   });
 }
 
@@ -272,7 +274,7 @@ PrintPage pageOf(const ChartSketch& sketch) {
 void writeSketch(const ChartSketch& sketch, const std::filesystem::path& file) {
   const auto ending = file.extension();
   if (ending == ".png") return writePicture(sketch, file);
-  if (ending == ".svg" && !hasShapedText(sketch)) return writeSvg(sketch, file);
+  if (ending == ".svg" && !hasTextSetOtherwise(sketch)) return writeSvg(sketch, file);
   if (ending == ".svg") return writePrint(drawingOf(sketch), file);
   if (ending == ".pdf") return writePrint(pageOf(sketch), file);
   throw Error(

@@ -16,6 +16,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -253,42 +254,49 @@ std::vector<Cluster> clustersOf(const std::string& text) {
   return clusters;
 }
 
-bool hasLettersFromRightToLeft(const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto [letter, length] = letterAt(text, at);
-    if (isFromRightToLeft(letter)) return true;
-    at += std::max<std::size_t>(1, length);
-  }
-  return false;
-}
-
-/// Leaves out those of the first letters that only tell the direction, and all joiners but those of letters that join.
-/// Returns how many are left.
-FriBidiStrIndex removeMarks(std::vector<FriBidiChar>& letters, FriBidiStrIndex count) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    FriBidiChar letter = letters[k];
-    const bool joins = isJoiner(letter) && k > 0 && joiningBlock(letters[k - 1]) != nullptr;
-    if (joins || fribidi_remove_bidi_marks(&letter, 1, nullptr, nullptr, nullptr) > 0)
-      letters[kept++] = letters[k];
-  }
-  return static_cast<FriBidiStrIndex>(kept);
-}
-
 /// A text as it is set from left to right: letters in the order and the forms in which they are seen.
-std::string inVisualOrder(const std::string& text) {
-  std::vector<FriBidiChar> letters;
+struct SeenText {
+  std::string text;
+  std::vector<std::string> meant;  ///< of each letter what was written
+};
+
+std::string utf8(std::span<const FriBidiChar> letters) {
+  std::string bytes(4 * letters.size() + 1, '\0');
+  bytes.resize(static_cast<std::size_t>(fribidi_unicode_to_charset(
+      FRIBIDI_CHAR_SET_UTF8, letters.data(), static_cast<FriBidiStrIndex>(letters.size()), bytes.data())));
+  return bytes;
+}
+
+/// Leaves out letters that only tell the direction, and all joiners but those of letters that join.
+SeenText inVisualOrder(const std::string& text) {
+  constexpr FriBidiChar kLam = 0x644, kFirstLamAlef = 0xFEF5, kLastLamAlef = 0xFEFC;
+  std::vector<FriBidiChar> written;
   for (const Cluster& cluster : clustersOf(text))
-    letters.insert(letters.end(), cluster.letters.begin(), cluster.letters.end());
-  auto count = static_cast<FriBidiStrIndex>(letters.size());
-  std::vector<FriBidiChar> seen(letters.size() + 1);
+    written.insert(written.end(), cluster.letters.begin(), cluster.letters.end());
+  const std::size_t count = written.size();
+  std::vector<FriBidiChar> seen(count + 1);
+  std::vector<FriBidiStrIndex> places(count);
   FriBidiParType direction = FRIBIDI_PAR_ON;
-  if (fribidi_log2vis(letters.data(), count, &direction, seen.data(), nullptr, nullptr, nullptr) == 0)
-    return text;
-  count = removeMarks(seen, count);
-  std::vector<char> bytes(4 * letters.size() + 1);
-  fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, seen.data(), count, bytes.data());
-  return bytes.data();
+  if (fribidi_log2vis(written.data(), static_cast<FriBidiStrIndex>(count), &direction, seen.data(), nullptr,
+                      places.data(), nullptr) == 0)
+    return {text, {}};
+  SeenText result;
+  for (std::size_t k = 0; k < count; ++k) {
+    FriBidiChar letter = seen[k];
+    const bool joins = isJoiner(letter) && k > 0 && joiningBlock(seen[k - 1]) != nullptr;
+    if (!joins && fribidi_remove_bidi_marks(&letter, 1, nullptr, nullptr, nullptr) == 0) continue;
+    result.text += utf8({&seen[k], 1});
+    const auto place = static_cast<std::size_t>(places[k]);
+    std::vector<FriBidiChar> meant{written[place]};
+    if (letter >= kFirstLamAlef && letter <= kLastLamAlef) {  // one letter for two
+      if (meant.front() == kLam && place + 1 < count)
+        meant.push_back(written[place + 1]);
+      else
+        meant.insert(meant.begin(), kLam);
+    }
+    result.meant.push_back(utf8(meant));
+  }
+  return result;
 }
 
 /// The file of an installed font that has a letter; nothing if there is none.
@@ -346,6 +354,15 @@ const LoadedFont* fontFor(char32_t letter, const LoadedFont& wanted, const Loade
 
 }  // namespace
 
+bool hasLettersFromRightToLeft(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [letter, length] = letterAt(text, at);
+    if (isFromRightToLeft(letter)) return true;
+    at += std::max<std::size_t>(1, length);
+  }
+  return false;
+}
+
 bool isFontFile(const std::string& name) {
   const std::string ending = lower(fs::path(name).extension().string());
   return name.find('/') != std::string::npos || ending == ".ttf" || ending == ".otf" || ending == ".ttc" ||
@@ -360,29 +377,35 @@ std::vector<FontPiece> fontPieces(const std::string& text, const std::string& na
   const LoadedFont& wanted = loadedFont(name);
   const LoadedFont& substitute = loadedFont(kDefaultFont);
   const bool isTurned = hasLettersFromRightToLeft(text);
+  const SeenText seen = isTurned ? inVisualOrder(text) : SeenText{text, {}};
   std::vector<FontPiece> pieces;
-  const auto add = [&](const std::string& part, const LoadedFont& in, const std::string& letters) {
+  std::size_t numSeen = 0;  // letters
+  const auto add = [&](const std::string& part, const LoadedFont& in, const std::string& letters,
+                       std::size_t numLetters) {
     if (pieces.empty() || pieces.back().font != &in.font || isShaped(pieces.back()))
       pieces.push_back({"", &in.font, ""});
     pieces.back().text += part;
     if (!isTurned) pieces.back().letters += letters;
+    for (; numLetters > 0; --numLetters, ++numSeen)
+      if (numSeen < seen.meant.size()) pieces.back().meant.push_back(seen.meant[numSeen]);
   };
-  for (const Cluster& cluster : clustersOf(isTurned ? inVisualOrder(text) : text)) {
+  for (const Cluster& cluster : clustersOf(seen.text)) {
     ShapedWord word;
     if (cluster.joins) word = shapedWord(cluster, wanted, substitute);
     if (word.font != nullptr) {
       pieces.push_back({cluster.text, &word.font->font, isTurned ? "" : cluster.text, std::move(word.text)});
+      numSeen += cluster.letters.size();
     } else if (wanted.hasAll(cluster.letters)) {
-      add(cluster.text, wanted, cluster.text);
+      add(cluster.text, wanted, cluster.text, cluster.letters.size());
     } else if (substitute.hasAll(cluster.letters)) {
-      add(cluster.text, substitute, cluster.text);
+      add(cluster.text, substitute, cluster.text, cluster.letters.size());
     } else {  // letter by letter
       std::size_t at = 0;
       for (const char32_t letter : cluster.letters) {
         const std::size_t length = letterAt(cluster.text, at).length;
         const std::string written = cluster.text.substr(at, length);
         const LoadedFont* font = fontFor(letter, wanted, substitute);
-        add(font != nullptr ? written : kBox, font != nullptr ? *font : substitute, written);
+        add(font != nullptr ? written : kBox, font != nullptr ? *font : substitute, written, 1);
         at += length;
       }
     }

@@ -30,12 +30,18 @@ struct FontPiece {
   const Font* font;
   std::string letters;  ///< as it was written; those of all pieces are the text
   ShapedText shaped{};  ///< has glyphs if they are not those of one letter after the other
+  /// Of a text from right to left, for each letter of `text` the one that was written, or the two: Arabic letters are drawn by
+  /// others, those of their forms.
+  std::vector<std::string> meant{};
 };
 
 /// Whether it is painted by its glyphs.
 inline bool isShaped(const FontPiece& piece) {
   return !piece.shaped.glyphs.empty();
 }
+
+/// Whether a text has letters of scripts from right to left.
+bool hasLettersFromRightToLeft(const std::string& text);
 
 /// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
 /// default font, or in another one that is installed; a letter that none has becomes a box. Scripts from right to left have the order

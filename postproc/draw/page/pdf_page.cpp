@@ -91,6 +91,8 @@ class PdfPainter {
       const double length = choose(piece);
       if (isShaped(piece.piece)) {
         showGlyphs(piece, pen);
+      } else if (!piece.piece.meant.empty()) {
+        showLetters(piece, pen);
       } else {
         cairo_move_to(&page_, pen, -piece.lift);
         cairo_show_text(&page_, piece.piece.text.c_str());
@@ -173,6 +175,28 @@ class PdfPainter {
     cairo_show_text_glyphs(&page_, text.data(), static_cast<int>(text.size()), glyphs.data(),
                            static_cast<int>(glyphs.size()), clusters.data(),
                            static_cast<int>(clusters.size()), cairo_text_cluster_flags_t{});
+  }
+
+  /// With those that were written in place of the forms that are drawn.
+  void showLetters(const TextPiece& piece, double pen) {
+    const std::string& drawn = piece.piece.text;
+    cairo_glyph_t* glyphs = nullptr;
+    cairo_text_cluster_t* letters = nullptr;
+    int numGlyphs = 0, numLetters = 0;
+    cairo_text_cluster_flags_t flags{};
+    requireCairo(cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(&page_), pen, -piece.lift,
+                                                  drawn.data(), static_cast<int>(drawn.size()), &glyphs,
+                                                  &numGlyphs, &letters, &numLetters, &flags));
+    std::string meant;
+    for (int k = 0; k < numLetters; ++k) {
+      const std::string& written = piece.piece.meant[static_cast<std::size_t>(k)];
+      letters[k].num_bytes = static_cast<int>(written.size());
+      meant += written;
+    }
+    cairo_show_text_glyphs(&page_, meant.data(), static_cast<int>(meant.size()), glyphs, numGlyphs, letters,
+                           numLetters, flags);
+    cairo_glyph_free(glyphs);
+    cairo_text_cluster_free(letters);
   }
 
   cairo_font_face_t* faceOf(const Font& font) {

@@ -63,6 +63,20 @@ TEST_F(PdfText, HasTheLettersOfGlyphsThatJoin) {
   EXPECT_THAT(text, HasSubstr("शक्ति और क्षमता"));
 }
 
+/// And not those of the forms that Arabic letters have in a word; lam and alef are drawn as one.
+TEST_F(PdfText, HasTheLettersOfScriptsFromRightToLeft) {
+  EXPECT_THAT(told(labelled("قوة الضغط שלום"), "pdftotext a.pdf -"), HasSubstr("قوة الضغط שלום"));
+  EXPECT_THAT(told(labelled("سلام"), "pdftotext a.pdf -"), testing::ContainsRegex("س(لا|ال)م"));
+}
+
+/// What reads SVG turns them.
+TEST_F(PdfText, LettersFromRightToLeftAreWrittenInTheirOrderInSvg) {
+  Chart chart = labelled("a");
+  chart.y.title = "قوة الضغط";
+  drawChart(chart, dir_ / "a.svg");
+  EXPECT_THAT(readText(dir_ / "a.svg"), HasSubstr(">قوة الضغط</text>"));
+}
+
 /// What reads SVG has them join: a text stands there in one piece, and turned where the picture has it turned.
 TEST_F(PdfText, LettersThatJoinAreNoOutlinesInSvg) {
   Chart chart = labelled("a");

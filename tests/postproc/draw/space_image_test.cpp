@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
