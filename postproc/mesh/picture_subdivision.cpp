@@ -1,6 +1,7 @@
 #include "postproc/mesh/picture_subdivision.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -29,6 +30,18 @@ struct Grid {
     return part;
   }
 
+  /// Bernstein coefficients of a half of the span, of all components.
+  Grid half(bool alongU, bool second) const {
+    Grid result = *this;
+    const Eigen::Index n = alongU ? row : columns();
+    for (Eigen::Index step = 1; step < n; ++step)  // after each the points before it, or behind it, are done
+      for (Eigen::Index k = 0; k < n - step; ++k) {
+        const Eigen::Index at = second ? k : n - 1 - k;
+        result.average(alongU, at, second ? at + 1 : at - 1);
+      }
+    return result;
+  }
+
   /// Largest norm of the differences of order a in u and b in v.
   double difference(int a, int b) const {
     Grid of = *this;
@@ -38,6 +51,14 @@ struct Grid {
   }
 
  private:
+  /// Gives the points of one number along a direction the mean of theirs and of those of another.
+  void average(bool alongU, Eigen::Index at, Eigen::Index other) {
+    for (Eigen::Index k = 0; k < (alongU ? columns() : row); ++k) {
+      const auto place = [&](Eigen::Index i) { return alongU ? i + row * k : k + row * i; };
+      values.col(place(at)) = 0.5 * (values.col(place(at)) + values.col(place(other)));
+    }
+  }
+
   Grid differences(bool alongU) const {
     const Eigen::Index n = row - (alongU ? 1 : 0), m = columns() - (alongU ? 0 : 1);
     Grid result{Eigen::MatrixXd(values.rows(), std::max<Eigen::Index>(n * m, 0)), n};
@@ -79,13 +100,28 @@ Curvature sampledCurvature(const Grid& samples, double n) {
           scale * samples.difference(0, 2)};
 }
 
-std::array<int, 2> cellsFor(const Curvature& m, double tolerance) {
-  const auto count = [&](double most) {
-    const double n = std::ceil(std::sqrt(most / (4.0 * tolerance)));
-    return static_cast<int>(std::clamp(n, 1.0, static_cast<double>(kMostCellsOfPicture)));
-  };
-  return {count(m.uu + m.uv), count(m.vv + m.uv)};
+Eigen::Array2d cellsFor(const Curvature& m, double tolerance) {
+  return (Eigen::Array2d(m.uu + m.uv, m.vv + m.uv) / (4.0 * tolerance)).sqrt().ceil();
 }
+
+/// A span or a part of it, in Bernstein form: rational positions and values, with their weights.
+struct SpanPart {
+  Grid w, x, f;  ///< f: empty where there are no values
+
+  SpanPart half(bool alongU, bool second) const {
+    SpanPart result{w.half(alongU, second), {}, {}};
+    const auto halfOf = [&](const Grid& of) {
+      Grid weighted = of;
+      weighted.values.array().rowwise() *= w.values.row(0).array();
+      Grid part = weighted.half(alongU, second);
+      part.values.array().rowwise() /= result.w.values.row(0).array();
+      return part;
+    };
+    result.x = halfOf(x);
+    if (f.values.size() > 0) result.f = halfOf(f);
+    return result;
+  }
+};
 
 /// The counts of a patch that a side of it needs, which has two directions: a face, or all of a plane patch.
 class SideCells {
@@ -107,20 +143,20 @@ class SideCells {
     f_ = isMagnitude_ ? magnitudes() : Grid{points.evaluate(values->coefficients), weights_.row};
   }
 
-  /// Raises the counts of the patch, by direction and span, to what the side needs.
-  void count(std::vector<std::vector<int>>& counts) const {
+  /// Refines the cells of the patch, by direction and span, to what the side needs.
+  void refine(std::vector<std::vector<SpanCells>>& cells) const {
     for (int j = 0; j < bases_[along_[1]].numSpans(); ++j)
       for (int i = 0; i < bases_[along_[0]].numSpans(); ++i) {
-        const std::array<int, 2> cells = cellsOf(i, j);
-        int& ofU = counts[along_[0]][static_cast<std::size_t>(i)];
-        int& ofV = counts[along_[1]][static_cast<std::size_t>(j)];
-        ofU = std::max(ofU, cells[0]);
-        ofV = std::max(ofV, cells[1]);
+        const std::array<SpanCells, 2> needed = cellsOf(i, j);
+        cells[along_[0]][static_cast<std::size_t>(i)].refine(needed[0]);
+        cells[along_[1]][static_cast<std::size_t>(j)].refine(needed[1]);
       }
   }
 
  private:
   static constexpr int kSamples = 8;  ///< cells per span and direction
+  static constexpr int kDepthOfMost = std::bit_width(static_cast<unsigned>(kMostCellsOfPicture)) - 1;
+  static constexpr int kDeepest = 30;  ///< beyond that, where numbers end
 
   /// The rows of the side; pointsOf: along a direction that is not at an end.
   template <class PointsOf>
@@ -146,22 +182,82 @@ class SideCells {
     return {points.evaluate(values_->coefficients).colwise().norm(), extentAlong(points)};
   }
 
-  std::array<int, 2> cellsOf(int i, int j) const {
+  Eigen::AlignedBox2d boxOf(const SpanPart& part) const {
+    const Eigen::Matrix2Xd seen = positions_.axes.leftCols(part.x.values.rows()) * part.x.values;
+    return {Eigen::Vector2d(seen.rowwise().minCoeff()), Eigen::Vector2d(seen.rowwise().maxCoeff())};
+  }
+
+  bool isToldApart(const Grid& f) const {
+    return f.values.size() > 0 && f.values.minCoeff() < values_->range[1] &&
+           f.values.maxCoeff() > values_->range[0];
+  }
+
+  /// Of a part that is seen.
+  Eigen::Array2d cellsNeeded(const SpanPart& part) const {
+    Eigen::Array2d cells = cellsFor(curvatureOf(part.x, part.w), positions_.length);
+    if (isToldApart(part.f)) cells = cells.max(cellsFor(curvatureOf(part.f, part.w), values_->value));
+    return cells.max(1.0);
+  }
+
+  std::array<SpanCells, 2> cellsOf(int i, int j) const {
     const int p = bases_[along_[0]].degree(), q = bases_[along_[1]].degree();
-    const Grid w = weights_.part(p * i, q * j, p + 1, q + 1), x = x_.part(p * i, q * j, p + 1, q + 1);
-    const Eigen::Matrix2Xd seen = positions_.axes.leftCols(x.values.rows()) * x.values;
-    const Eigen::AlignedBox2d around(Eigen::Vector2d(seen.rowwise().minCoeff()),
-                                     Eigen::Vector2d(seen.rowwise().maxCoeff()));
-    if (!around.intersects(positions_.window)) return {1, 1};
-    const std::array<int, 2> ofPositions = cellsFor(curvatureOf(x, w), positions_.length);
-    if (values_ == nullptr) return ofPositions;
-    const int n = isMagnitude_ ? kSamples : p, m = isMagnitude_ ? kSamples : q;
-    const Grid f = f_.part(n * i, m * j, n + 1, m + 1);
-    if (f.values.minCoeff() >= values_->range[1] || f.values.maxCoeff() <= values_->range[0])
-      return ofPositions;
-    const std::array<int, 2> ofValues =
-        cellsFor(isMagnitude_ ? sampledCurvature(f, kSamples) : curvatureOf(f, w), values_->value);
-    return {std::max(ofPositions[0], ofValues[0]), std::max(ofPositions[1], ofValues[1])};
+    const SpanPart whole{weights_.part(p * i, q * j, p + 1, q + 1), x_.part(p * i, q * j, p + 1, q + 1),
+                         values_ == nullptr || isMagnitude_ ? Grid{} : f_.part(p * i, q * j, p + 1, q + 1)};
+    const Eigen::AlignedBox2d around = boxOf(whole);
+    if (!around.intersects(positions_.window)) return {};
+    Eigen::Array2d needed = cellsNeeded(whole);
+    if (isMagnitude_) {
+      const Grid f = f_.part(kSamples * i, kSamples * j, kSamples + 1, kSamples + 1);
+      if (isToldApart(f)) needed = needed.max(cellsFor(sampledCurvature(f, kSamples), values_->value));
+    }
+    std::array<SpanCells, 2> cells;
+    for (const Eigen::Index d : {0, 1})
+      cells[static_cast<std::size_t>(d)].count =
+          static_cast<int>(std::min(needed(d), static_cast<double>(kMostCellsOfPicture)));
+    const double parts = around.sizes().maxCoeff() / positions_.window.sizes().maxCoeff();
+    if (needed.maxCoeff() > kMostCellsOfPicture && parts > 1.0) {
+      const int deepest = kDepthOfMost + std::min(kDeepest, static_cast<int>(std::ceil(std::log2(parts))));
+      addCuts(whole, {Half{}, Half{}}, deepest, cells);
+      for (SpanCells& along : cells) {
+        std::ranges::sort(along.cuts);
+        along.cuts.erase(std::ranges::unique(along.cuts).begin(), along.cuts.end());
+      }
+    }
+    return cells;
+  }
+
+  /// One of 2^depth equal parts of a span in one direction.
+  struct Half {
+    int depth = 0;
+    double begin = 0.0;
+
+    double middle() const { return begin + std::ldexp(0.5, -depth); }
+    Half next(bool second) const { return {depth + 1, second ? middle() : begin}; }
+  };
+
+  /// Halves what is seen of a span until it is within the tolerances, and notes where that cuts the most cells that a
+  /// whole span has.
+  void addCuts(const SpanPart& part, const std::array<Half, 2>& where, int deepest,
+               std::array<SpanCells, 2>& cells) const {
+    if (!boxOf(part).intersects(positions_.window)) return;
+    const Eigen::Array2d needed = cellsNeeded(part);
+    std::array<bool, 2> halves{};
+    for (const std::size_t d : {0U, 1U}) {
+      halves[d] = needed(static_cast<Eigen::Index>(d)) > 1.0 && where[d].depth < deepest;
+      if (halves[d] && where[d].depth >= kDepthOfMost) cells[d].cuts.push_back(where[d].middle());
+    }
+    if (!halves[0] && !halves[1]) return;
+    for (const bool secondU : {false, true}) {
+      if (secondU && !halves[0]) break;
+      const SpanPart ofU = halves[0] ? part.half(true, secondU) : part;
+      for (const bool secondV : {false, true}) {
+        if (secondV && !halves[1]) break;
+        addCuts(
+            halves[1] ? ofU.half(false, secondV) : ofU,
+            {halves[0] ? where[0].next(secondU) : where[0], halves[1] ? where[1].next(secondV) : where[1]},
+            deepest, cells);
+      }
+    }
   }
 
   const PatchRecord& patch_;
@@ -174,23 +270,26 @@ class SideCells {
   Grid weights_, x_, f_;
 };
 
-/// The counts along an edge of a patch.
-std::vector<int>& countsAlong(Subdivision::Counts& counts, const PatchSide& edge) {
+/// The cells along an edge of a patch.
+std::vector<SpanCells>& cellsAlong(Subdivision::Counts& counts, const PatchSide& edge) {
   const auto along = std::find(edge.ends.begin(), edge.ends.end(), PatchSide::End::None) - edge.ends.begin();
   return counts[edge.patch][static_cast<std::size_t>(along)];
 }
 
-/// Gives the spans along two edges in one place the larger count. Returns whether one has changed.
+/// Gives the spans along two edges in one place the finer cells. Returns whether one has changed.
 bool matched(const MeshRecord& mesh, Subdivision::Counts& counts, const PatchSide& one,
              const PatchSide& other) {
-  std::vector<int>&a = countsAlong(counts, one), &b = countsAlong(counts, other);
+  std::vector<SpanCells>&a = cellsAlong(counts, one), &b = cellsAlong(counts, other);
   if (&a == &b || a.size() != b.size()) return false;
   const bool sameWay = nodesOn(mesh, one).front() == nodesOn(mesh, other).front();
   bool changed = false;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    int &ofA = a[k], &ofB = b[sameWay ? k : b.size() - 1 - k];
-    changed = changed || ofA != ofB;
-    ofA = ofB = std::max(ofA, ofB);
+    SpanCells &ofA = a[k], &ofB = b[sameWay ? k : b.size() - 1 - k];
+    const SpanCells turned = sameWay ? ofB : ofB.reversed();
+    if (ofA == turned) continue;
+    changed = true;
+    ofA.refine(turned);
+    ofB = sameWay ? ofA : ofA.reversed();
   }
   return changed;
 }
@@ -204,10 +303,10 @@ Subdivision pictureSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& di
   for (const PatchRecord& patch : mesh.patches) {
     counts.emplace_back();
     for (const DirectionRecord& direction : patch.directions)
-      counts.back().emplace_back(static_cast<std::size_t>(basisOf(direction).numSpans()), 1);
+      counts.back().emplace_back(static_cast<std::size_t>(basisOf(direction).numSpans()));
   }
   for (const PatchSide& side : borders.surface())
-    SideCells(mesh.patches[side.patch], side, displacement, positions, values).count(counts[side.patch]);
+    SideCells(mesh.patches[side.patch], side, displacement, positions, values).refine(counts[side.patch]);
   bool changed = true;
   while (changed) {  // a row may go through many patches
     changed = false;

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Cells into which a picture cuts a knot span and direction at most.
+/// Cells into which a picture cuts a knot span and direction at most, or as much of it as is seen.
 inline constexpr int kMostCellsOfPicture = 64;
 
 /// How exact positions in a picture are.
@@ -33,8 +33,9 @@ struct ValueTolerance {
 /// Linear interpolation on n x m cells of a span is off by at most (M_uu/n² + 2 M_uv/(n m) + M_vv/m²)/8, where
 /// M bounds the second derivatives by the span's parameters in [0, 1]². It is within τ for
 /// n = sqrt((M_uu + M_uv)/(4 τ)), m = sqrt((M_vv + M_uv)/(4 τ)). M follows from the Bernstein coefficients of the rational
-/// span. The magnitude of a vector has a cusp where it is 0, and no such bound: there M is twice the largest
-/// second difference of samples.
+/// span. Where n is too large, but a small part of the span is seen, this part is halved until it is within the tolerances. The
+/// magnitude of a vector has a cusp where it is 0, and no such bound: there M is twice the largest second difference of samples, and
+/// a part has the cells of its span.
 Subdivision pictureSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& displacement,
                                const PositionTolerance& positions, const ValueTolerance* values);
 

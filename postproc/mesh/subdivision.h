@@ -7,11 +7,23 @@
 
 namespace burnish {
 
+/// Of a knot span in one direction.
+struct SpanCells {
+  int count = 1;               ///< of equal ones
+  std::vector<double> cuts{};  ///< of these cells, parts of the span, ascending
+
+  /// Takes the larger count and all cuts of both.
+  void refine(const SpanCells& other);
+  /// The same from the other end of the span.
+  SpanCells reversed() const;
+  bool operator==(const SpanCells&) const = default;
+};
+
 /// Into how many equal cells the knot spans of a mesh are cut: a number for all of them, or one for every
-/// patch, direction and span.
+/// patch, direction and span, which may be cut further.
 class Subdivision {
  public:
-  using Counts = std::vector<std::vector<std::vector<int>>>;  ///< by patch, direction and span
+  using Counts = std::vector<std::vector<std::vector<SpanCells>>>;  ///< by patch, direction and span
 
   /// Throws `Error` for less than 1.
   Subdivision(int perSpan);  // a number is one, so that calls read as they are meant

@@ -70,6 +70,35 @@ TEST(PictureSubdivision, KeepsCurvedEdgesWithinTheTolerance) {
     }
 }
 
+/// Where a picture shows a thousandth or a ten thousandth of a span it has cells of its own, and is as exact.
+TEST(PictureSubdivision, FollowsTheZoomIntoSpans) {
+  const ModelRecord model = modelOf(quarterRing());
+  const Eigen::Vector2d middle = kOuterRadius * Eigen::Vector2d(std::cos(0.6), std::sin(0.6));
+  for (const double width : {1e-2, 1e-3, 1e-4}) {
+    const Eigen::AlignedBox2d window(middle.array() - width / 2, middle.array() + width / 2);
+    const double tolerance = width * width / 1000.0;
+    const Subdivision cells = pictureSubdivision(model.mesh, {}, {tolerance, window}, nullptr);
+    const auto outline = bodyOutline(model.mesh, {}, cells);
+    double worst = 0.0;
+    int numSeen = 0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType line = 0; line < outline->GetNumberOfCells(); ++line) {
+      outline->GetCellPoints(line, ids);
+      for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k) {
+        const Eigen::Vector3d half =
+            0.5 * (placeOf(*outline, ids->GetId(k)) + placeOf(*outline, ids->GetId(k + 1)));
+        if (!window.contains(half.head<2>())) continue;
+        worst = std::max(worst, kOuterRadius - half.norm());
+        ++numSeen;
+      }
+    }
+    EXPECT_GT(numSeen, 2) << width;
+    EXPECT_LE(worst, tolerance) << width;
+    EXPECT_GE(worst, tolerance / 30.0) << width;
+    EXPECT_LT(trianglesOf(model.mesh, cells).displaced({})->GetNumberOfCells(), 200'000);
+  }
+}
+
 TEST(PictureSubdivision, KeepsValuesWithinTheTolerance) {
   samples::Sample sample = slab({3, 2});
   const Eigen::MatrixXd& strain = sample.frame.fields["plastic_strain"].values;
