@@ -105,7 +105,13 @@ PatchBorders::PatchBorders(const MeshRecord& mesh) {
       most = std::max(most, free);
       all += free;
     }
-    const bool isCorner = most == mesh.dim() - 1, isAroundOthers = all > 0 && edges.size() > 2;
+    // A face that has collapsed to an edge has it twice.
+    const auto twice = std::ranges::count_if(edges, [&, &line = nodes](const PatchSide& edge) {
+      return std::ranges::any_of(facesAt(edge),
+                                 [&](const PatchSide& face) { return sortedNodesOn(mesh, face) == line; });
+    });
+    const bool isCorner = most == mesh.dim() - 1,
+               isAroundOthers = all > 0 && std::ssize(edges) - twice / 2 > 2;
     if (isCorner || isAroundOthers)
       outline_.push_back(edges.front());
     else if (mesh.dim() == 2 || all > 0)
