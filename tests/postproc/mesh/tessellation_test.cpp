@@ -349,21 +349,6 @@ TEST(BodySurface, OfJoinedPatchesHasNoFacesInside) {
   EXPECT_EQ(bodyOutline(whole.model.mesh, {}, 1)->GetNumberOfLines(), 4 * 4 + 4);
 }
 
-/// Of half a ball the rim is left of the edges: none where parts of its flat face meet, to which a face has shrunk.
-TEST(Mirror, LeavesNoEdgesWhereCollapsedFacesMeet) {
-  const KnotVector knots = KnotVector::uniform(2, 2);
-  const Patch<3> octant = refined(ballOctant({0, 0, 0}, 1.0, {0, 1, 0}), {knots, knots, knots});
-  FrameRecord still = frameOf(modelOf(octant), 0, 0.0);
-  still.displacement.setZero();
-  const ModelFrame half = mirrored(modelOf(octant), still, {{0, 0.0}, {1, 0.0}});
-  const auto outline = bodyOutline(half.model.mesh, {}, 4);
-  EXPECT_EQ(outline->GetNumberOfLines(), 4);
-  for (vtkIdType k = 0; k < outline->GetNumberOfPoints(); ++k) {
-    EXPECT_NEAR(pointOf(*outline, k).norm(), 1.0, 1e-12);
-    EXPECT_EQ(pointOf(*outline, k).z(), 0.0);
-  }
-}
-
 TEST(Mirror, ImageHasTheFieldsOfTheOriginal) {
   ModelRecord model = modelOf(quarterRing());
   model.tools = {{"plate", Plane{{0.0, 5.0, 0.0}, {0.6, -0.8, 0.0}}},
@@ -642,6 +627,23 @@ TEST(ToolOutline, OfATurnedMeshKeepsItsDistanceFromTheAxis) {
     const Eigen::Vector3d before = mesh.points.col(i) - tool.pivot;
     const Eigen::Vector3d after = pointOf(*lines, i) - tool.pivot - Eigen::Vector3d(1.0, 2.0, 0.0);
     EXPECT_NEAR((after - Eigen::Vector3d(-before.y(), before.x(), 0.0)).norm(), 0.0, 1e-14);
+  }
+}
+
+/// Of half a ball the rim is left of the edges: none where parts of its flat face meet, to which a face has shrunk.
+TEST(Mirror, LeavesNoEdgesWhereCollapsedFacesMeet) {
+  const KnotVector knots = KnotVector::uniform(2, 2);
+  const Patch<3> octant = refined(ballOctant({0, 0, 0}, 1.0, {0, 1, 0}), {knots, knots, knots});
+  const ModelRecord model = joinedModel<3>({octant});
+  FrameRecord still;
+  still.displacement = Eigen::MatrixXd::Zero(3, model.mesh.numNodes);
+  still.toolDisplacement = Eigen::MatrixXd::Zero(3, 0);
+  const ModelFrame half = mirrored(model, still, {{0, 0.0}, {1, 0.0}});
+  const auto outline = bodyOutline(half.model.mesh, {}, 4);
+  EXPECT_EQ(outline->GetNumberOfLines(), 4);
+  for (vtkIdType k = 0; k < outline->GetNumberOfPoints(); ++k) {
+    EXPECT_NEAR(pointOf(*outline, k).norm(), 1.0, 1e-12);
+    EXPECT_EQ(pointOf(*outline, k).z(), 0.0);
   }
 }
 
