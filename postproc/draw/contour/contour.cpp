@@ -674,7 +674,9 @@ class ContourPicture {
     };
     const auto addEdges = [&](vtkPolyData& edges) {
       add(lineActor(edges, kBlack, line, 1.0), above + 0.1 * side);
-      if (!isFlat()) add(lineActor(edges, kBlack, line, kPale), front);
+      if (isFlat()) return;
+      add(lineActor(edges, kWhite, kHalo * line, kPale), front);
+      add(lineActor(edges, kBlack, line, kPale), front + 0.1 * side);
     };
     if (parts_.extremes) {
       const ExtremeMarks marks = extremesIn(view);
