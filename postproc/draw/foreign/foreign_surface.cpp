@@ -182,6 +182,35 @@ void turnCurved(vtkUnstructuredGrid& cells, vtkUnstructuredGrid& copy) {
   copy.ShallowCopy(turned);
 }
 
+constexpr const char* kPlaces = "places";
+
+/// The cells about the origin, with the places of their points beside the values: of curved cells VTK takes points in
+/// single precision, which is too coarse far from the origin, and makes such points, but values in double precision.
+vtkSmartPointer<vtkUnstructuredGrid> withPlaces(vtkUnstructuredGrid& cells) {
+  const auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->ShallowCopy(&cells);
+  vtkNew<vtkDoubleArray> places;
+  places->DeepCopy(cells.GetPoints()->GetData());
+  places->SetName(kPlaces);
+  result->GetPointData()->AddArray(places);
+  vtkNew<vtkPoints> moved;
+  moved->SetDataTypeToDouble();
+  moved->SetNumberOfPoints(cells.GetNumberOfPoints());
+  const Eigen::Vector3d middle(cells.GetCenter());
+  for (vtkIdType k = 0; k < cells.GetNumberOfPoints(); ++k)
+    moved->SetPoint(k, (Eigen::Vector3d(cells.GetPoint(k)) - middle).eval().data());
+  result->SetPoints(moved);
+  return result;
+}
+
+/// Moves the points of faces to the places that were kept.
+void takePlaces(vtkPolyData& faces) {
+  vtkNew<vtkPoints> points;
+  points->SetData(faces.GetPointData()->GetArray(kPlaces));
+  faces.SetPoints(points);
+  faces.GetPointData()->RemoveArray(kPlaces);
+}
+
 /// Whether all corners of a face lie on a line.
 bool isOnALine(vtkPolyData& faces, vtkIdList& corners) {
   constexpr double kFlat = 1e-9;  // of the length
@@ -300,22 +329,22 @@ bool isPlane(vtkUnstructuredGrid& cells) {
 }
 
 vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
+  const bool isCurved = hasCurved(cells);
   vtkNew<vtkDataSetSurfaceFilter> surface;
-  surface->SetInputData(&cells);
+  vtkSmartPointer<vtkUnstructuredGrid> placed = &cells;
+  if (isCurved) placed = withPlaces(cells);
+  surface->SetInputData(placed);
   surface->PassThroughCellIdsOn();
   surface->SetNonlinearSubdivisionLevel(kCurvedParts);
   surface->Update();
+  if (isCurved) takePlaces(*surface->GetOutput());
   vtkNew<vtkPolyDataNormals> sides;  // of images in mirrors and of many files the faces turn either way
   sides->SetInputData(withoutShrunk(*surface->GetOutput()));
   sides->SplittingOff();
+  sides->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sides->Update();
   vtkSmartPointer<vtkPolyData> faces = sides->GetOutput();
   takeLengths(*faces);
-  if (faces->GetNumberOfPoints() == 0 || faces->GetPoints()->GetDataType() == VTK_DOUBLE) return faces;
-  vtkNew<vtkPoints> points;  // of curved cells VTK makes single precision
-  points->SetDataTypeToDouble();
-  points->DeepCopy(faces->GetPoints());
-  faces->SetPoints(points);
   return faces;
 }
 

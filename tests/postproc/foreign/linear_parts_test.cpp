@@ -217,6 +217,25 @@ TEST(CurvedCells, MeetTheirImages) {
   }
 }
 
+/// Coordinates far from the origin have digits enough for what is there, but not in single precision.
+TEST(CurvedCells, HaveTheSameFacesFarFromTheOrigin) {
+  const Eigen::Vector3d far = std::ldexp(1.0, 20) * Eigen::Vector3d(1.0, 2.0, -3.0);
+  const Grid ring = ringGrid(VTK_QUADRATIC_HEXAHEDRON), moved = Grid::New();
+  moved->DeepCopy(ring);
+  for (vtkIdType k = 0; k < ring->GetNumberOfPoints(); ++k) {
+    Eigen::Vector3d place(ring->GetPoint(k));
+    for (double& x : place) x = std::ldexp(std::round(std::ldexp(x, 20)), -20);  // so that the sums are exact
+    ring->GetPoints()->SetPoint(k, place.data());
+    moved->GetPoints()->SetPoint(k, (place + far).eval().data());
+  }
+  const auto here = outerFaces(*ring), there = outerFaces(*moved);
+  ASSERT_EQ(there->GetNumberOfCells(), here->GetNumberOfCells());
+  ASSERT_EQ(there->GetNumberOfPoints(), here->GetNumberOfPoints());
+  for (vtkIdType k = 0; k < here->GetNumberOfPoints(); ++k)
+    EXPECT_LT((Eigen::Vector3d(there->GetPoint(k)) - far - Eigen::Vector3d(here->GetPoint(k))).norm(), 1e-8)
+        << k;
+}
+
 /// What stands at the points of rational cells are coefficients: the field of these is the radius.
 TEST(LinearParts, HaveTheValuesOfRationalCells) {
   const auto grid = Grid::New();
