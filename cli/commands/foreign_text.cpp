@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,19 @@ std::string blockText(const ForeignBlock& block) {
   return text;
 }
 
+/// As many as show the extent to a thousandth, of a box far from the origin more than six.
+int boundsDigits(const Eigen::AlignedBox3d& box) {
+  constexpr int kUsual = 6, kOfExtent = 3, kMost = std::numeric_limits<double>::max_digits10;
+  const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double extent = box.sizes().maxCoeff();
+  if (!(extent > 0.0)) return kUsual;
+  return std::clamp(kOfExtent + static_cast<int>(std::ceil(std::log10(largest / extent))) + 1, kUsual, kMost);
+}
+
+std::string coordinatesText(const Eigen::Vector3d& point, int digits) {
+  return fmt::format("{:.{}g}, {:.{}g}, {:.{}g}", point.x(), digits, point.y(), digits, point.z(), digits);
+}
+
 std::string boundsText(const std::vector<ForeignBlock>& blocks) {
   Eigen::AlignedBox3d box;
   for (const ForeignBlock& block : blocks) {
@@ -56,8 +71,8 @@ std::string boundsText(const std::vector<ForeignBlock>& blocks) {
     box.extend(Eigen::Vector3d(b[0], b[2], b[4])).extend(Eigen::Vector3d(b[1], b[3], b[5]));
   }
   if (box.isEmpty()) return "nothing";
-  return fmt::format("({:.6g}) to ({:.6g})", fmt::join(box.min().begin(), box.min().end(), ", "),
-                     fmt::join(box.max().begin(), box.max().end(), ", "));
+  const int digits = boundsDigits(box);
+  return fmt::format("({}) to ({})", coordinatesText(box.min(), digits), coordinatesText(box.max(), digits));
 }
 
 /// With as many digits as single precision has.

@@ -49,6 +49,19 @@ TEST_F(ForeignCommand, InfoTellsCellsAndFields) {
                               HasSubstr("region of cells: 0 to 1")));
 }
 
+/// With digits enough to tell the corners of a small body from each other.
+TEST_F(ForeignCommand, InfoTellsBoundsFarFromTheOrigin) {
+  const auto boundsOf = [&](const std::string& points) {
+    std::ofstream(dir_ / "part.vtk") << "# vtk DataFile Version 3.0\npart\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                                        "POINTS 3 double\n"
+                                     << points << "\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+    return burnish("info part.vtk").out;
+  };
+  EXPECT_THAT(boundsOf("1000000 2000000 0 1000002 2000000 0 1000000 2000001.5 0"),
+              HasSubstr("(1000000, 2000000, 0) to (1000002, 2000001.5, 0)"));
+  EXPECT_THAT(boundsOf("0 0 0 0.333333333 0 0 0 2 0"), HasSubstr("(0, 0, 0) to (0.333333, 2, 0)"));
+}
+
 /// The sheet is of region 0 at the left and of region 1 at the right.
 TEST_F(ForeignCommand, CellsHaveTheirColoursInTheirPlaces) {
   ASSERT_EQ(burnish("render " + sample("meshio.vtu") + " --field region --size 400,400 -o a.png").code, 0);
