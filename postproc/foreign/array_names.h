@@ -1,5 +1,8 @@
 #pragma once
 #include <string>
+#include <vector>
+
+class vtkDataArray;
 
 namespace burnish {
 
@@ -13,5 +16,9 @@ ArrayName arrayNameOf(const std::string& text);
 
 /// A name of a file as one can give it: a line of letters, without the commas that part the names of a list.
 std::string typedName(const std::string& text);
+
+/// Names of the components of an array: as the file has them, where they differ, else as VTK orders vectors and tensors.
+/// None of a scalar.
+std::vector<std::string> componentsOf(vtkDataArray& array);
 
 }  // namespace burnish

@@ -106,6 +106,12 @@ std::string componentName(const DataArray& array, Eigen::Index component) {
   return k < array.components.size() ? array.components[k] : std::to_string(component);
 }
 
+/// How many there are, and their names if they have any.
+std::string componentsInWords(const DataArray& array) {
+  if (array.components.empty()) return std::to_string(array.values.rows());
+  return fmt::format("{} ({})", array.values.rows(), fmt::join(array.components, " "));
+}
+
 std::string numbersInWords(const Eigen::VectorXd& values) {
   std::vector<std::string> texts;
   for (const double value : values) texts.push_back(fmt::format("{:.6g}", value));
@@ -277,9 +283,8 @@ class SeriesComparison {
                                unitInWords(baseline.unit)));
     if (actual.values.rows() != baseline.values.rows() || actual.components != baseline.components)
       return state(name, FieldVerdict::ComponentsDiffer,
-                   fmt::format("components differ{}: found {} ({}); the baseline has {} ({})", atTime(),
-                               actual.values.rows(), fmt::join(actual.components, " "),
-                               baseline.values.rows(), fmt::join(baseline.components, " ")));
+                   fmt::format("components differ{}: found {}; the baseline has {}", atTime(),
+                               componentsInWords(actual), componentsInWords(baseline)));
     if (actual.values.cols() != baseline.values.cols())
       return state(name, FieldVerdict::SizesDiffer,
                    fmt::format("sizes differ{}: found {} values; the baseline has {}", atTime(),

@@ -20,10 +20,9 @@ namespace fs = std::filesystem;
 
 DataArray arrayOf(vtkDataArray& array, const std::string& prefix) {
   const auto [name, unit] = arrayNameOf(array.GetName());
-  DataArray result{prefix + name, unit, {}, {}};
+  DataArray result{prefix + name, unit, componentsOf(array), {}};
   result.values.resize(array.GetNumberOfComponents(), array.GetNumberOfTuples());
   for (int k = 0; k < array.GetNumberOfComponents(); ++k) {
-    if (const char* component = array.GetComponentName(k)) result.components.emplace_back(component);
     for (vtkIdType place = 0; place < array.GetNumberOfTuples(); ++place)
       result.values(k, place) = array.GetComponent(place, k);
   }

@@ -27,23 +27,6 @@
 namespace burnish {
 namespace {
 
-/// As the file names them, where names differ, else as VTK orders vectors and tensors.
-std::vector<std::string> componentsOfArray(vtkDataArray& array) {
-  const int count = array.GetNumberOfComponents();
-  if (count == 1) return {};
-  std::vector<std::string> names;
-  for (int k = 0; k < count && array.GetComponentName(k); ++k)
-    names.push_back(inLowerCase(typedName(array.GetComponentName(k))));
-  if (static_cast<int>(std::set(names.begin(), names.end()).size()) == count) return names;
-  if (count == 2) return {"x", "y"};
-  if (count == 3) return {"x", "y", "z"};
-  if (count == 6) return {"xx", "yy", "zz", "xy", "yz", "xz"};
-  if (count == 9) return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
-  names.clear();
-  for (int k = 0; k < count; ++k) names.push_back(std::to_string(k));
-  return names;
-}
-
 /// Whether a name without a component means something.
 bool hasOwn(const ForeignField& field) {
   return field.components.empty() || field.isVector();
@@ -102,8 +85,7 @@ void addFieldsOf(std::vector<ForeignField>& fields, std::set<std::string>& taken
                          own == "RationalWeights" || own == "HigherOrderDegrees";
     if (isOfVtk || std::ranges::any_of(fields, isSame)) continue;
     const auto [name, unit] = arrayNameOf(own);
-    ForeignField field{own, typedName(name), forMessage(unit, kLongestName), ofCells,
-                       componentsOfArray(array)};
+    ForeignField field{own, typedName(name), forMessage(unit, kLongestName), ofCells, componentsOf(array)};
     nameApart(field, taken);
     fields.push_back(std::move(field));
   }

@@ -304,7 +304,7 @@ TEST_F(CompareResults, OtherComponents) {
                 field.values = field.values.replicate(2, 1).eval();
                 field.components = {"xx", "yy"};
               }),
-              isOnly("plastic_strain", "components-differ", "found 2 (xx yy); the baseline has 1 ()"));
+              isOnly("plastic_strain", "components-differ", "found 2 (xx yy); the baseline has 1"));
 }
 
 TEST_F(CompareResults, AMissingFrameAndOneMore) {
@@ -480,7 +480,7 @@ TEST(DataRule, ToleranceAsText) {
         << text;
 }
 
-/// Two triangles with a number at each point and in each cell.
+/// Two triangles with a number and a vector at each point and a number in each cell.
 class CompareVtk : public DataFiles {
  protected:
   struct Grid {
@@ -488,6 +488,7 @@ class CompareVtk : public DataFiles {
     std::vector<std::vector<vtkIdType>> cells{{0, 1, 2}, {0, 2, 3}};
     std::map<std::string, std::vector<double>> atPoints{{"von_mises [MPa]", {1, 2, 3, 4}}};
     std::map<std::string, std::vector<double>> inCells{{"material", {5, 6}}};
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(3, 4);  ///< a vector at points
   };
 
   CompareVtk() { write({}, "baseline.vtu"); }
@@ -500,6 +501,7 @@ class CompareVtk : public DataFiles {
     for (const auto& [array, values] : made.atPoints)
       grid->GetPointData()->AddArray(
           makeArray(array, Eigen::Map<const Eigen::RowVectorXd>(values.data(), std::ssize(values)), {}));
+    grid->GetPointData()->AddArray(makeArray("pull", made.pull, {}));
     for (const auto& [array, values] : made.inCells)
       grid->GetCellData()->AddArray(
           makeArray(array, Eigen::Map<const Eigen::RowVectorXd>(values.data(), std::ssize(values)), {}));
@@ -537,6 +539,18 @@ TEST_F(CompareVtk, EveryDifferenceIsNamed) {
   grid.atPoints = {{"von_mises [GPa]", {1, 2, 3, 4}}};
   EXPECT_THAT(findings(grid),
               isOnly("von_mises", "units-differ", "found the unit GPa; the baseline has the unit MPa"));
+  grid = {};
+  grid.pull(1, 3) = 0.5;
+  EXPECT_THAT(findings(grid), isOnly("pull", "different", ": y: found 0.5, the baseline has 0"));
+  grid = {};
+  grid.pull = Eigen::MatrixXd::Zero(2, 4);
+  EXPECT_THAT(findings(grid),
+              ElementsAre(testing::Field(&Finding::message,
+                                         "components differ: found 2 (x y); the baseline has 3 (x y z)")));
+  grid.pull = Eigen::MatrixXd::Zero(1, 4);
+  EXPECT_THAT(findings(grid),
+              ElementsAre(testing::Field(&Finding::message,
+                                         "components differ: found 1; the baseline has 3 (x y z)")));
   grid = {};
   grid.atPoints["points"] = {1, 2, 3, 4};
   EXPECT_THAT(findings(grid), isOnly("points_2", "no-baseline", "it has nothing of the name"));
