@@ -221,7 +221,7 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   const DataRule rule = dataRuleOf(arguments);
   std::vector<ResultComparison> comparisons =
       compareData(kind, arguments.actual, arguments.baseline, rule, arguments.update);
-  if (!arguments.difference.empty()) drawWorst(comparisons, arguments.difference);
+  const std::string drawn = arguments.difference.empty() ? "" : drawWorst(comparisons, arguments.difference);
   std::optional<ReportPage> report;  // shows what was before
   if (!arguments.report.empty()) report = dataPage(comparisons, dataReportNote(arguments), arguments.update);
   const fs::path page = written(report, arguments.report, false);
@@ -245,6 +245,7 @@ ExitCode compareDataOf(ComparedKind kind, const CompareArguments& arguments) {
   for (const std::string& line : updated) printOut("{}\n", line);
   printOut("{} of {} fields{} are equal to the baseline\n", equal, cases.size(),
            kind == ComparedKind::Directory ? fmt::format(" of {} results", comparisons.size()) : "");
+  if (!drawn.empty()) printOut("{}: {}\n", arguments.difference.string(), drawn);
   if (!page.empty()) printOut("report: {}\n", page.string());
   return exitCodeOf(cases);
 }

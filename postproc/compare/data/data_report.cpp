@@ -56,16 +56,24 @@ ReportPage dataPage(const std::vector<ResultComparison>& comparisons, const std:
   return page;
 }
 
-void drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png) {
+std::string drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png) {
   const std::vector<WorstField> worst = worstFields(comparisons, kMostDrawn);
   const WorstPictures pictures(worst);
+  const auto write = [&](const std::string& picture, const char* kind, const WorstField& drawn) {
+    writeText(picture, png);
+    const std::string& component = drawn.field->worst->component;
+    return kind + fullName(*drawn.pair, *drawn.field) + (component.empty() ? "" : ", component " + component);
+  };
   std::string first;  // for want of a difference
+  const WorstField* ofFirst = nullptr;
   for (const WorstField& each : worst) {
     const FieldPictures drawn = pictures.draw(each);
-    if (!drawn.difference.empty()) return writeText(drawn.difference, png);
-    if (first.empty()) first = drawn.actual;
+    if (!drawn.difference.empty()) return write(drawn.difference, "difference of ", each);
+    if (ofFirst || drawn.actual.empty()) continue;
+    first = drawn.actual;
+    ofFirst = &each;
   }
-  if (!first.empty()) writeText(first, png);
+  return ofFirst ? write(first, "actual ", *ofFirst) : "";
 }
 
 }  // namespace burnish

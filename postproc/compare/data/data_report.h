@@ -14,7 +14,8 @@ namespace burnish {
 ReportPage dataPage(const std::vector<ResultComparison>& comparisons, const std::string& note, bool updates);
 
 /// Draws the difference of the field that differs most of those that have such a picture, or else that field
-/// itself, with a ring round the place; nothing if there is none. Throws `Error` if the file cannot be written.
-void drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png);
+/// itself, with a ring round the place; nothing if there is none. Returns what is drawn, "difference of stress,
+/// component xx", which is empty then. Throws `Error` if the file cannot be written.
+std::string drawWorst(const std::vector<ResultComparison>& comparisons, const std::filesystem::path& png);
 
 }  // namespace burnish

@@ -61,6 +61,15 @@ std::string withComponent(const std::string& field, const std::string& component
   return component.empty() ? field : field + "." + component;
 }
 
+std::string differenceOf(const std::string& drawn) {
+  return "difference of " + drawn;
+}
+
+/// The component that differs most.
+std::string differenceOf(const FieldComparison& field) {
+  return differenceOf(withComponent(field.array, field.worst->component));
+}
+
 template <class Options>
 Options optionsAt(const std::string& field, const WorstPlace& worst) {
   Options options;
@@ -133,7 +142,7 @@ class WorstPictures::RunDrawing : public PairDrawing {
         drawnBytes([&](const fs::path& file) { drawContour(actual_.model(), actual, options, file); });
     if (const auto difference = differenceFrame(field, actual, baseline))
       pictures.difference = drawnBytes([&](const fs::path& file) {
-        options.field = kDifference;
+        options.field = differenceOf(field);
         options.range.reset();
         options.range = aboutZero(shownRanges(baseline_.model(), *difference, options).shown);
         options.colormap = "coolwarm";
@@ -143,8 +152,6 @@ class WorstPictures::RunDrawing : public PairDrawing {
   }
 
  private:
-  static constexpr const char* kDifference = "difference";
-
   static FrameRecord frameAt(const ResultReader& result, const FieldComparison& field) {
     return result.frame(instantAt(result.times(), field.worst->time));
   }
@@ -184,7 +191,7 @@ class WorstPictures::RunDrawing : public PairDrawing {
     FieldRecord difference = *theirs;
     difference.components.clear();
     difference.values = ours->values.row(row) - theirs->values.row(row);
-    frame.fields[kDifference] = difference;
+    frame.fields[differenceOf(field)] = difference;
     return frame;
   }
 
@@ -207,7 +214,7 @@ class WorstPictures::RunDrawing : public PairDrawing {
     both.curves.resize(1);
     pictures.baseline = drawnBytes([&](const fs::path& file) { drawChart(both, file); });
     if (actual.column("time") == baseline.column("time")) {
-      Chart difference = chartOf("difference of " + column);
+      Chart difference = chartOf(differenceOf(column));
       difference.curves = {curveOf(actual, "", 0)};
       for (std::size_t k = 0; k < difference.curves.front().y.size(); ++k)
         difference.curves.front().y[k] -= baseline.column(column)[k];
@@ -262,13 +269,13 @@ class WorstPictures::FileDrawing : public PairDrawing {
   /// Whether there is no finite difference somewhere, so that there are no colours for how large it is.
   static bool isOneSided(const FieldComparison& field) { return std::isinf(field.worst->difference); }
 
-  static const char* differenceName(const FieldComparison& field) {
-    return isOneSided(field) ? "not finite on one side" : "difference";
+  static std::string differenceName(const FieldComparison& field) {
+    return isOneSided(field) ? "not finite on one side" : differenceOf(field);
   }
 
   /// Actual values minus the baseline's, or 1 where there is no finite difference and 0 elsewhere.
-  static Eigen::VectorXd differenceOf(const FieldComparison& field, const Eigen::VectorXd& actual,
-                                      const Eigen::VectorXd& baseline) {
+  static Eigen::VectorXd differencesOf(const FieldComparison& field, const Eigen::VectorXd& actual,
+                                       const Eigen::VectorXd& baseline) {
     return actual.binaryExpr(baseline, [oneSided = isOneSided(field)](double a, double b) {
       if (a == b || (std::isnan(a) && std::isnan(b))) return 0.0;
       if (!oneSided) return a - b;
@@ -297,6 +304,7 @@ class WorstPictures::FileDrawing : public PairDrawing {
     const auto valuesOf = [&](const ForeignBlock& block) {
       return choice ? choice->valuesOf(block) : coordinatesOf(block, field.worst->component);
     };
+    const std::string name = differenceName(field);
     std::vector<ForeignBlock> blocks;
     std::array<double, 2> range{0.0, 0.0};
     for (std::size_t k = 0; k < std::min(ours.size(), theirs.size()); ++k) {
@@ -305,19 +313,19 @@ class WorstPictures::FileDrawing : public PairDrawing {
       const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
       grid->ShallowCopy(block.grid);
       if (actual.size() == baseline.size() && actual.size() > 0) {
-        const Eigen::VectorXd values = differenceOf(field, actual, baseline);
+        const Eigen::VectorXd values = differencesOf(field, actual, baseline);
         range = {std::min(range[0], values.minCoeff()), std::max(range[1], values.maxCoeff())};
         vtkDataSetAttributes* data = grid->GetPointData();
         if (choice && choice->field.ofCells) data = grid->GetCellData();
         for (vtkDataSetAttributes* all : {static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
                                           static_cast<vtkDataSetAttributes*>(grid->GetCellData())})
-          all->RemoveArray(differenceName(field));
-        data->AddArray(makeArray(differenceName(field), values.transpose(), {}));
+          all->RemoveArray(name.c_str());
+        data->AddArray(makeArray(name, values.transpose(), {}));
       }
       blocks.push_back({block.name, grid});
     }
     ForeignOptions own = options;
-    own.field = differenceName(field);
+    own.field = name;
     own.note = isOneSided(field) ? field.name : "";
     own.colormap = "coolwarm";
     own.range = aboutZero(isOneSided(field) ? std::array{0.0, 1.0} : range);

@@ -216,7 +216,7 @@ TEST_F(CompareResults, WorstPlaceIsDrawnOnBothSidesAndAsADifference) {
   EXPECT_NE(pictures.front().baseline, pictures.front().actual);
 
   // The difference is red round the control point that differs, and pale elsewhere.
-  drawWorst(comparisons, dir_ / "worst.png");
+  EXPECT_EQ(drawWorst(comparisons, dir_ / "worst.png"), "difference of plastic_strain");
   EXPECT_EQ(readText(dir_ / "worst.png"), pictures.front().difference);
   const auto [red, blue] = redAndBlueIn(dir_ / "worst.png");
   EXPECT_GT(red, 200);
@@ -585,6 +585,12 @@ TEST_F(CompareVtk, DifferencesAreDrawnAndWhereOneSideIsNoNumber) {
   EXPECT_TRUE(hasActual);
   EXPECT_EQ(red, 0);
   EXPECT_GT(blue, 10000);
+  grid = {};
+  grid.pull(1, 3) = 0.5;
+  write(grid, "actual.vtu");
+  EXPECT_EQ(drawWorst(compareData(ComparedKind::VtkFile, dir_ / "actual.vtu", dir_ / "baseline.vtu", {}),
+                      dir_ / "vector.png"),
+            "difference of pull, component y");
   grid = {};
   grid.inCells["material"][1] = nan;
   std::tie(hasActual, red, blue) = drawn(grid, "cell.png");
