@@ -387,6 +387,24 @@ TEST_F(ForeignCommand, ShrunkCellsLeaveTheOutlineOfTheirNeighbours) {
   EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 3\n4 1 2 4 5\nCELL_TYPES 2\n9\n9\n"), whole);
 }
 
+/// A cube whose corners are in the order of an image in a mirror, and one with a triangle on half of its face: both are
+/// lit from outside, and colours are those of what is drawn.
+TEST_F(ForeignCommand, VolumesAreLitFromOutside) {
+  const auto drawn =
+      [&](const std::string& cells, const std::string& values) {
+        std::ofstream(dir_ / "cube.vtk")
+            << "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n"
+               "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\n"
+            << cells << "CELL_DATA " << values.size() / 2 << "\nSCALARS part double 1\nLOOKUP_TABLE default\n"
+            << values << "\n";
+        EXPECT_EQ(burnish("render cube.vtk --size 300,300 --title '' -o a.png").code, 0);
+        return readText(dir_ / "a.png");
+      };
+  const std::string whole = drawn("CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n", "1 ");
+  EXPECT_EQ(drawn("CELLS 1 9\n8 4 5 6 7 0 1 2 3\nCELL_TYPES 1\n12\n", "1 "), whole);
+  EXPECT_EQ(drawn("CELLS 2 13\n8 0 1 2 3 4 5 6 7\n3 4 5 6\nCELL_TYPES 2\n12\n5\n", "1 2 "), whole);
+}
+
 /// The same value at opposite corners: a square that is its own image in both middles has such a picture.
 TEST_F(ForeignCommand, QuadrilateralsHaveNoDiagonal) {
   std::ofstream(dir_ / "saddle.vtk")

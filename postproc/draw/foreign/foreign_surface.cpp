@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkCellTypes.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
@@ -65,6 +66,10 @@ class Places {
 
 int dimensionOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
   return grid.GetCell(cell)->GetCellDimension();
+}
+
+bool isLinear(vtkUnstructuredGrid& grid, vtkIdType cell) {
+  return vtkCellTypes::IsLinear(static_cast<unsigned char>(grid.GetCellType(cell))) != 0;
 }
 
 bool isGhost(vtkUnstructuredGrid& grid, vtkIdType cell) {
@@ -143,6 +148,60 @@ class CellCollector {
   vtkNew<vtkUnstructuredGrid> cells_;
 };
 
+/// The faces in several grids that are faces of their volumes, or parts of these between some of their corners.
+class HiddenFaces {
+ public:
+  HiddenFaces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids, double length)
+      : places_(length) {
+    for (const auto& grid : grids)
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+        if (dimensionOf(*grid, cell) == 2 && !isGhost(*grid, cell)) addFace(*grid, cell);
+    if (facesAt_.empty()) return;
+    for (const auto& grid : grids)
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+        if (dimensionOf(*grid, cell) == 3 && !isGhost(*grid, cell)) hideFacesOf(*grid, cell);
+  }
+
+  bool contains(vtkUnstructuredGrid& grid, vtkIdType cell) const { return hidden_.contains({&grid, cell}); }
+
+ private:
+  struct Face {
+    std::vector<vtkIdType> places;  ///< sorted
+    std::pair<const vtkUnstructuredGrid*, vtkIdType> cell;
+  };
+
+  std::vector<vtkIdType> sortedPlaces(vtkUnstructuredGrid& grid, vtkIdList& points) {
+    std::vector<vtkIdType> found;
+    for (const vtkIdType id : points) found.push_back(places_.number(grid.GetPoint(id)).first);
+    std::ranges::sort(found);
+    return found;
+  }
+
+  void addFace(vtkUnstructuredGrid& grid, vtkIdType cell) {
+    vtkNew<vtkIdList> ids;
+    grid.GetCellPoints(cell, ids);
+    std::vector<vtkIdType> places = sortedPlaces(grid, *ids);
+    if (!places.empty()) facesAt_[places.front()].push_back({std::move(places), {&grid, cell}});
+  }
+
+  void hideFacesOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
+    vtkCell& volume = *grid.GetCell(cell);
+    for (int k = 0; k < volume.GetNumberOfFaces(); ++k) {
+      const std::vector<vtkIdType> places = sortedPlaces(grid, *volume.GetFace(k)->GetPointIds());
+      for (const vtkIdType place : places) {
+        const auto found = facesAt_.find(place);
+        if (found == facesAt_.end()) continue;
+        for (const Face& face : found->second)
+          if (std::ranges::includes(places, face.places)) hidden_.insert(face.cell);
+      }
+    }
+  }
+
+  Places places_;
+  std::unordered_map<vtkIdType, std::vector<Face>> facesAt_;  ///< by the first of their places
+  std::set<std::pair<const vtkUnstructuredGrid*, vtkIdType>> hidden_;
+};
+
 double lengthOfAll(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids) {
   double length = 0.0;
   for (const auto& grid : grids) length = std::max(length, grid->GetLength());
@@ -182,9 +241,9 @@ void turnCurved(vtkUnstructuredGrid& cells, vtkUnstructuredGrid& copy) {
   copy.ShallowCopy(turned);
 }
 
-constexpr const char* kPlaces = "places";
+constexpr const char *kPlaces = "places", *kVolumes = "volumes", *kCells = "vtkOriginalCellIds";
 
-/// The cells about the origin, with the places of their points beside the values: of curved cells VTK takes points in
+/// The cells about the origin, with the places of their points and their numbers beside the values: of curved cells VTK takes points in
 /// single precision, which is too coarse far from the origin, and makes such points, but values in double precision.
 vtkSmartPointer<vtkUnstructuredGrid> withPlaces(vtkUnstructuredGrid& cells) {
   const auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -193,6 +252,10 @@ vtkSmartPointer<vtkUnstructuredGrid> withPlaces(vtkUnstructuredGrid& cells) {
   places->DeepCopy(cells.GetPoints()->GetData());
   places->SetName(kPlaces);
   result->GetPointData()->AddArray(places);
+  vtkNew<vtkIdTypeArray> numbers;  // VTK gives faces of curved volumes numbers of their own
+  numbers->SetName(kVolumes);
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) numbers->InsertNextValue(cell);
+  result->GetCellData()->AddArray(numbers);
   vtkNew<vtkPoints> moved;
   moved->SetDataTypeToDouble();
   moved->SetNumberOfPoints(cells.GetNumberOfPoints());
@@ -211,11 +274,16 @@ void takePlaces(vtkPolyData& faces) {
   faces.GetPointData()->RemoveArray(kPlaces);
 }
 
+Eigen::Matrix3Xd placesOf(vtkPointSet& set, vtkIdList& ids) {
+  Eigen::Matrix3Xd places(3, ids.GetNumberOfIds());
+  for (vtkIdType k = 0; k < places.cols(); ++k) set.GetPoint(ids.GetId(k), places.col(k).data());
+  return places;
+}
+
 /// Whether all corners of a face lie on a line.
 bool isOnALine(vtkPolyData& faces, vtkIdList& corners) {
   constexpr double kFlat = 1e-9;  // of the length
-  Eigen::Matrix3Xd x(3, corners.GetNumberOfIds());
-  for (vtkIdType k = 0; k < x.cols(); ++k) faces.GetPoint(corners.GetId(k), x.col(k).data());
+  const Eigen::Matrix3Xd x = placesOf(faces, corners);
   const Eigen::Matrix3Xd from = x.colwise() - x.col(0);
   Eigen::Index farthest = 0;
   const double length = std::sqrt(from.colwise().squaredNorm().maxCoeff(&farthest));
@@ -247,6 +315,47 @@ vtkSmartPointer<vtkPolyData> withoutShrunk(vtkPolyData& faces) {
   return result;
 }
 
+/// Half of the products of neighbouring corners: a normal as long as the area.
+Eigen::Vector3d areaOf(const Eigen::Matrix3Xd& corners) {
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (Eigen::Index k = 2; k < corners.cols(); ++k) {
+    const Eigen::Vector3d one = corners.col(k - 1) - corners.col(0), other = corners.col(k) - corners.col(0);
+    area += 0.5 * one.cross(other);
+  }
+  return area;
+}
+
+/// Turns faces of volumes so that they look away from the middle of their cell, whatever the order of its corners is.
+/// The parts of a curved cell are turned together, as the middle may lie beyond some of them.
+void turnOutward(vtkPolyData& faces, vtkUnstructuredGrid& cells) {
+  vtkDataArray* curvedOf = faces.GetCellData()->GetArray(kVolumes);
+  vtkDataArray& cellOf = curvedOf ? *curvedOf : *faces.GetCellData()->GetArray(kCells);
+  vtkCellArray& polygons = *faces.GetPolys();
+  const vtkIdType others = faces.GetNumberOfVerts() + faces.GetNumberOfLines();
+  vtkNew<vtkIdList> ids;
+  std::unordered_map<vtkIdType, double> outwardOf;  // of curved cells
+  Eigen::VectorXd outward = Eigen::VectorXd::Zero(polygons.GetNumberOfCells());
+  const auto cellAt = [&](vtkIdType face) {
+    return static_cast<vtkIdType>(cellOf.GetComponent(others + face, 0));
+  };
+  for (vtkIdType face = 0; face < outward.size(); ++face) {
+    const vtkIdType cell = cellAt(face);
+    if (dimensionOf(cells, cell) < 3) continue;
+    polygons.GetCellAtId(face, ids);
+    const Eigen::Matrix3Xd corners = placesOf(faces, *ids);
+    cells.GetCellPoints(cell, ids);
+    const Eigen::Vector3d away = corners.rowwise().mean() - placesOf(cells, *ids).rowwise().mean();
+    outward(face) = areaOf(corners).dot(away);
+    if (!isLinear(cells, cell)) outwardOf[cell] += outward(face);
+  }
+  for (vtkIdType face = 0; face < outward.size(); ++face) {
+    const auto curved = outwardOf.find(cellAt(face));
+    if ((curved == outwardOf.end() ? outward(face) : curved->second) < 0.0) polygons.ReverseCellAtId(face);
+  }
+  faces.GetPointData()->SetNormals(nullptr);  // of the sides before
+  faces.GetCellData()->RemoveArray(kVolumes);
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
@@ -254,32 +363,12 @@ vtkSmartPointer<vtkUnstructuredGrid> shownCells(
   if (grids.empty()) return vtkSmartPointer<vtkUnstructuredGrid>::New();
   const double length = lengthOfAll(grids);
   CellCollector collector(*grids.front(), length);
-  Places places(length);
-  const auto placesOf = [&](vtkUnstructuredGrid& grid, vtkIdList& points) {
-    std::vector<vtkIdType> found;
-    for (const vtkIdType id : points) found.push_back(places.number(grid.GetPoint(id)).first);
-    std::sort(found.begin(), found.end());
-    return found;
-  };
-  std::set<std::vector<vtkIdType>> facesOfVolumes;  // filled where there are faces to be held against them
-  const bool hasFaces = std::any_of(grids.begin(), grids.end(), [](const auto& grid) {
-    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-      if (dimensionOf(*grid, cell) == 2) return true;
-    return false;
-  });
-  vtkNew<vtkIdList> ids;
+  const HiddenFaces hidden(grids, length);
   for (const int dimension : {3, 2})
     for (const auto& grid : grids)
-      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
-        if (dimensionOf(*grid, cell) != dimension || isGhost(*grid, cell)) continue;
-        grid->GetCellPoints(cell, ids);
-        if (dimension == 2 && facesOfVolumes.contains(placesOf(*grid, *ids))) continue;
-        collector.add(*grid, cell);
-        if (dimension == 2 || !hasFaces) continue;
-        vtkCell& volume = *grid->GetCell(cell);
-        for (int face = 0; face < volume.GetNumberOfFaces(); ++face)
-          facesOfVolumes.insert(placesOf(*grid, *volume.GetFace(face)->GetPointIds()));
-      }
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+        if (dimensionOf(*grid, cell) == dimension && !isGhost(*grid, cell) && !hidden.contains(*grid, cell))
+          collector.add(*grid, cell);
   const auto cells = collector.finish();
   cells->GetCellData()->RemoveArray("vtkGhostType");
   return cells;
@@ -338,12 +427,13 @@ vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells) {
   surface->SetNonlinearSubdivisionLevel(kCurvedParts);
   surface->Update();
   if (isCurved) takePlaces(*surface->GetOutput());
-  vtkNew<vtkPolyDataNormals> sides;  // of images in mirrors and of many files the faces turn either way
+  vtkNew<vtkPolyDataNormals> sides;  // of sheets in many files the faces turn either way
   sides->SetInputData(withoutShrunk(*surface->GetOutput()));
   sides->SplittingOff();
   sides->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sides->Update();
   vtkSmartPointer<vtkPolyData> faces = sides->GetOutput();
+  turnOutward(*faces, cells);
   takeLengths(*faces);
   return faces;
 }
@@ -384,7 +474,7 @@ vtkSmartPointer<vtkPolyData> withDrawnScalars(vtkPolyData& faces) {
 vtkSmartPointer<vtkPolyData> cellEdges(vtkPolyData& faces) {
   constexpr vtkIdType kBetween = -1, kInside = -2;  // two cells; a face of one cell, or two of its faces
   vtkDataArray* curved = faces.GetCellData()->GetArray("cell");  // of which the cells are parts
-  vtkDataArray& cellOf = curved ? *curved : *faces.GetCellData()->GetArray("vtkOriginalCellIds");
+  vtkDataArray& cellOf = curved ? *curved : *faces.GetCellData()->GetArray(kCells);
   std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> edges;  // the cell of the faces at both sides
   vtkNew<vtkIdList> ids;
   for (vtkIdType face = 0; face < faces.GetNumberOfCells(); ++face) {

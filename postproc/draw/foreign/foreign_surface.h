@@ -14,7 +14,7 @@ namespace burnish {
 /// How often the faces of curved cells are halved along each parameter.
 inline constexpr int kCurvedParts = 3;
 
-/// The cells of several grids that can be seen: volumes, and faces that are no faces of these. Points at the same
+/// The cells of several grids that can be seen: volumes, and faces that are no faces of these, nor parts of such. Points at the same
 /// place are one, so that what is inside is found, but for those of two grids whose values differ; where values differ
 /// within a grid, as between discontinuous elements, the place has the first one.
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(
@@ -28,7 +28,8 @@ vtkSmartPointer<vtkUnstructuredGrid> mirroredCells(vtkUnstructuredGrid& cells, c
 /// Whether all faces lie in a plane of constant z and there is no volume.
 bool isPlane(vtkUnstructuredGrid& cells);
 
-/// The faces that are seen from outside, with the numbers of their cells; curved ones in parts.
+/// The faces that are seen from outside, with the numbers of their cells; curved ones in parts. Those of volumes look away
+/// from them.
 vtkSmartPointer<vtkPolyData> outerFaces(vtkUnstructuredGrid& cells);
 
 /// The polygons of faces with `drawn` as point scalars: those of cells have points of their own, with one value.

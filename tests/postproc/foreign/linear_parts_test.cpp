@@ -217,6 +217,29 @@ TEST(CurvedCells, MeetTheirImages) {
   }
 }
 
+/// Whatever the order of corners is.
+TEST(OuterFaces, LookAwayFromTheirVolumes) {
+  for (const int type : {VTK_HEXAHEDRON, VTK_WEDGE, VTK_TETRA, VTK_PYRAMID, VTK_QUADRATIC_HEXAHEDRON,
+                         VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_TETRA, VTK_TRIQUADRATIC_HEXAHEDRON})
+    for (const bool isInverted : {false, true}) {
+      const Grid grid = Grid::New();
+      addCell(*grid, type, type, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+        return {isInverted ? 1.0 - p(0) : p(0), p(1), p(2)};
+      });
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      for (vtkIdType k = 0; k < grid->GetNumberOfPoints(); ++k)
+        middle += Eigen::Vector3d(grid->GetPoint(k)) / static_cast<double>(grid->GetNumberOfPoints());
+      const auto faces = outerFaces(*grid);
+      EXPECT_GE(faces->GetNumberOfCells(), 4);
+      for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face) {
+        vtkPoints& corners = *faces->GetCell(face)->GetPoints();
+        const Eigen::Vector3d first(corners.GetPoint(0)), second(corners.GetPoint(1)),
+            third(corners.GetPoint(2));
+        EXPECT_GT((second - first).cross(third - first).dot(first - middle), 0.0) << type << " " << face;
+      }
+    }
+}
+
 /// Coordinates far from the origin have digits enough for what is there, but not in single precision.
 TEST(CurvedCells, HaveTheSameFacesFarFromTheOrigin) {
   const Eigen::Vector3d far = std::ldexp(1.0, 20) * Eigen::Vector3d(1.0, 2.0, -3.0);
