@@ -103,8 +103,10 @@ std::string foreignText(const ForeignFile& file) {
   const std::vector<ForeignBlock> blocks = file.blocks(times.empty() ? 0 : times.size() - 1);
   std::string text = infoLine("file", file.file().string()) + infoLine("kind", foreignKind(file.file()));
   if (!times.empty())
-    text += infoLine("frames",
-                     fmt::format("{}, t = {:.7g} to {:.7g}", times.size(), times.front(), times.back()));
+    text += infoLine(
+        "frames",
+        fmt::format("{}, t = {:.7g} to {:.7g}{}", times.size(), times.front(), times.back(),
+                    times.size() == 1 ? "" : fmt::format("; what follows is of frame {}", times.size() - 1)));
   for (const ForeignBlock& block : blocks) text += infoLine("block", blockText(block));
   text += infoLine("bounds", boundsText(blocks));
   const ForeignRanges ranges(blocks);

@@ -110,6 +110,7 @@ Json::Value foreignJson(const ForeignFile& file) {
   value["file"] = file.file().string();
   value["kind"] = foreignKind(file.file());
   value["times"] = listOf(times);
+  value["frame"] = times.empty() ? Json::Value() : Json::Value(static_cast<Json::UInt64>(times.size() - 1));
   value["blocks"] = Json::Value(Json::arrayValue);
   for (const ForeignBlock& block : blocks) {
     Json::Value& added = value["blocks"].append(Json::Value());

@@ -49,6 +49,14 @@ TEST_F(ForeignCommand, InfoTellsCellsAndFields) {
                               HasSubstr("region of cells: 0 to 1")));
 }
 
+TEST_F(ForeignCommand, InfoOfASeriesTellsTheFrame) {
+  const std::string text = burnish("info " + sample("fenicsx.pvd")).out;
+  EXPECT_THAT(text, HasSubstr("; what follows is of frame 2\n"));
+  EXPECT_THAT(burnish("info --json " + sample("fenicsx.pvd")).out, HasSubstr("\"frame\":2"));
+  EXPECT_THAT(burnish("info " + sample("meshio.vtu")).out, testing::Not(HasSubstr("what follows")));
+  EXPECT_THAT(burnish("info --json " + sample("meshio.vtu")).out, HasSubstr("\"frame\":null"));
+}
+
 /// With digits enough to tell the corners of a small body from each other.
 TEST_F(ForeignCommand, InfoTellsBoundsFarFromTheOrigin) {
   const auto boundsOf = [&](const std::string& points) {
