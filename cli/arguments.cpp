@@ -155,10 +155,14 @@ std::array<double, 2> rangeFromText(const char* option, const std::string& text,
                           words.empty() ? "" : "; or ", fmt::join(words, ", "), didYouMean(text, words)));
 }
 
+std::string sizeWords() {
+  return "W,H: pixels from " + pictureSizeWords();
+}
+
 std::array<int, 2> sizeFromText(const std::string& text) {
   const auto size = listFrom<int, 2>(text);
   if (size && isPictureSize(*size)) return *size;
-  throw Error(fmt::format("--size: found \"{}\"; expected W,H: pixels from {}", text, pictureSizeWords()));
+  throw Error(fmt::format("--size: found \"{}\"; expected {}", text, sizeWords()));
 }
 
 std::string shellWord(const std::string& word) {

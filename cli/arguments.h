@@ -47,6 +47,9 @@ std::vector<std::filesystem::path> pictureNames(const std::string& pattern, cons
 std::array<double, 2> rangeFromText(const char* option, const std::string& text,
                                     const std::vector<std::string>& words = {});
 
+/// "W,H: pixels from 200 x 150 to 8000 x 8000".
+std::string sizeWords();
+
 /// `W,H` in pixels.
 std::array<int, 2> sizeFromText(const std::string& text);
 

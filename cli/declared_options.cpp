@@ -89,8 +89,10 @@ YamlNode DeclaredOptions::Reader::nodeOf(const std::string& text, bool isList) {
 }
 
 void DeclaredOptions::Reader::reject(const char* key, const std::string& text, const std::string& allowed,
-                                     const std::vector<std::string>& candidates) {
-  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", optionName(key), text, allowed,
+                                     const std::vector<std::string>& candidates) const {
+  const auto expected = options_.expected_.find(key);
+  throw Error(fmt::format("{}: found \"{}\"; expected {}.{}", optionName(key), text,
+                          expected == options_.expected_.end() ? allowed : expected->second,
                           didYouMean(text, candidates)));
 }
 

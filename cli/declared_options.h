@@ -72,6 +72,9 @@ class DeclaredOptions {
   /// Other words for values of a key.
   void allow(const std::string& key, Words words) { words_[key] = std::move(words); }
 
+  /// What is expected of a key, in words, where its rule says less.
+  void expect(const std::string& key, const std::string& words) { expected_[key] = words; }
+
   /// Adds a flag by another name that gives a key this value.
   void addFlag(CLI::App& command, const char* flag, const std::string& key, const std::string& text,
                const std::string& help);
@@ -88,6 +91,7 @@ class DeclaredOptions {
 
   std::map<std::string, std::string> given_;  ///< by key
   std::map<std::string, Words> words_;
+  std::map<std::string, std::string> expected_;
 };
 
 /// `tool_opacity` as `--tool-opacity`.
@@ -152,8 +156,8 @@ class DeclaredOptions::Reader {
   /// A scalar, or a list of the parts between commas.
   static YamlNode nodeOf(const std::string& text, bool isList);
 
-  [[noreturn]] static void reject(const char* key, const std::string& text, const std::string& allowed,
-                                  const std::vector<std::string>& candidates);
+  [[noreturn]] void reject(const char* key, const std::string& text, const std::string& allowed,
+                           const std::vector<std::string>& candidates) const;
 
   const DeclaredOptions& options_;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/declared_options.h"
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/contour.h"
@@ -34,6 +35,7 @@ void addPictureOptions(CLI::App& command, DeclaredOptions& picture, const Option
   picture.addTo(command, fresh, usual);
   command.get_option("--body")->type_name("BODY,...");
   picture.allow("bands", {{"smooth", "0"}});
+  picture.expect("size", sizeWords());
   picture.addFlag(command, "--no-doubts", "doubt_marks", "off", "The same as --doubt-marks off");
 }
 

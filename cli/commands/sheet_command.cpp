@@ -281,6 +281,7 @@ void addSheetCommand(CLI::App& app, Action& action) {
   addFieldArguments(*command, arguments->picture);
   addPictureOptions(*command, arguments->picture.picture, DrawnPanelOptions{});
   arguments->picture.picture.addTo(*command, PanelSize{});
+  arguments->picture.picture.expect("panel_size", sizeWords());
   arguments->picture.picture.addTo(*command, PrintOptions{});
   command
       ->add_option(

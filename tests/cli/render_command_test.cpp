@@ -241,6 +241,8 @@ TEST_F(RenderCommand, AnswersWithTheNearestValidValue) {
       {"--bands 257", "--bands: found \"257\""},
       {"--scale 0", "--scale: found \"0\"; expected a number from 0.25 to 10"},
       {"--size 160,160", "--size: found 160 x 160 pixels; expected 200 x 150 to 8000 x 8000"},
+      {"--size 160x160", "--size: found \"160x160\"; expected W,H: pixels from 200 x 150 to 8000 x 8000."},
+      {"--size 9000,160", "--size: found \"9000,160\"; expected W,H: pixels from 200 x 150 to 8000 x 8000."},
       {"--scale 9", "--scale: found 9, which makes 14400 x 8100 pixels; expected 200 x 150 to 8000 x 8000"},
       {"--vectors traction --warp 2", "without a warp"},
       {"--background white --transparent", "exclude each other"},
