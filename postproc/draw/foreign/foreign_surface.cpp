@@ -7,6 +7,7 @@
 #include <vtkCellTypes.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkDoubleArray.h>
+#include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -64,8 +65,19 @@ class Places {
   std::unordered_map<Key, vtkIdType, Hash> numbers_;
 };
 
+/// Of each kind of cell; -1 for numbers that no kind has.
+std::array<int, VTK_NUMBER_OF_CELL_TYPES> allDimensions() {
+  std::array<int, VTK_NUMBER_OF_CELL_TYPES> dimensions{};
+  for (int type = 0; type < VTK_NUMBER_OF_CELL_TYPES; ++type) {
+    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    dimensions[static_cast<std::size_t>(type)] = cell ? cell->GetCellDimension() : -1;
+  }
+  return dimensions;
+}
+
 int dimensionOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
-  return grid.GetCell(cell)->GetCellDimension();
+  static const auto dimensions = allDimensions();
+  return dimensions[static_cast<std::size_t>(grid.GetCellType(cell))];
 }
 
 bool isLinear(vtkUnstructuredGrid& grid, vtkIdType cell) {
@@ -93,7 +105,13 @@ class CellCollector {
   }
 
   void add(vtkUnstructuredGrid& grid, vtkIdType cell) {
-    const vtkIdType added = copyCell(grid, cell, *cells_, [&](vtkIdType id) { return pointOf(grid, id); });
+    std::vector<vtkIdType>& known = copied_[&grid];
+    known.resize(static_cast<std::size_t>(grid.GetNumberOfPoints()), kNone);
+    const vtkIdType added = copyCell(grid, cell, *cells_, [&](vtkIdType id) {
+      vtkIdType& number = known[static_cast<std::size_t>(id)];
+      if (number == kNone) number = pointOf(grid, id);
+      return number;
+    });
     cells_->GetCellData()->CopyData(grid.GetCellData(), cell, added);
   }
 
@@ -142,8 +160,12 @@ class CellCollector {
     return true;
   }
 
+  static constexpr vtkIdType kNone = -1;
+
   Places places_;
   std::vector<std::vector<Copy>> copies_;  ///< by place
+  std::unordered_map<const vtkUnstructuredGrid*, std::vector<vtkIdType>>
+      copied_;  ///< numbers of points, by theirs
   vtkNew<vtkPoints> points_;
   vtkNew<vtkUnstructuredGrid> cells_;
 };
