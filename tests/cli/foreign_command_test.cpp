@@ -406,11 +406,22 @@ TEST_F(ForeignCommand, VolumesAreLitFromOutside) {
             << cells << "CELL_DATA " << values.size() / 2 << "\nSCALARS part double 1\nLOOKUP_TABLE default\n"
             << values << "\n";
         EXPECT_EQ(burnish("render cube.vtk --size 300,300 --title '' -o a.png").code, 0);
-        return readText(dir_ / "a.png");
+        return readPicture(dir_ / "a.png");
       };
-  const std::string whole = drawn("CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n", "1 ");
-  EXPECT_EQ(drawn("CELLS 1 9\n8 4 5 6 7 0 1 2 3\nCELL_TYPES 1\n12\n", "1 "), whole);
-  EXPECT_EQ(drawn("CELLS 2 13\n8 0 1 2 3 4 5 6 7\n3 4 5 6\nCELL_TYPES 2\n12\n5\n", "1 2 "), whole);
+  const Picture whole = drawn("CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n", "1 ");
+  const auto differing = [&](const Picture& other) {
+    constexpr int kVisible = 4;
+    int count = 0;
+    for (int y = 0; y < whole.height; ++y)
+      for (int x = 0; x < whole.width; ++x) {
+        const Eigen::Vector2d at(x + 0.5, y + 0.5);
+        count += difference(other.at(at), whole.at(at)) > kVisible ? 1 : 0;
+      }
+    return count;
+  };
+  EXPECT_LE(differing(drawn("CELLS 1 9\n8 4 5 6 7 0 1 2 3\nCELL_TYPES 1\n12\n", "1 ")), 5)
+      << "of pixels on edges, which run the other way";
+  EXPECT_EQ(differing(drawn("CELLS 2 13\n8 0 1 2 3 4 5 6 7\n3 4 5 6\nCELL_TYPES 2\n12\n5\n", "1 2 ")), 0);
 }
 
 /// The same value at opposite corners: a square that is its own image in both middles has such a picture.

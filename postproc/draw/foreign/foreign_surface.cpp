@@ -35,16 +35,25 @@ constexpr double kSamePlace = 1e-8;  // of the diagonal
 /// Numbers places; points nearer than `kSamePlace` have one number, but for rare neighbours.
 class Places {
  public:
-  explicit Places(double length) : unit_(length > 0.0 ? kSamePlace * length : 1.0) {}
+  explicit Places(double length)
+      : unit_(length > 0.0 ? kSamePlace * length : 1.0), slots_(kFewestSlots, kNone) {}
 
   /// The number, and whether it is a new one.
   std::pair<vtkIdType, bool> number(const double* point) {
-    const auto [found, isNew] = numbers_.try_emplace(keyOf(point), static_cast<vtkIdType>(numbers_.size()));
-    return {found->second, isNew};
+    const Key key = keyOf(point);
+    vtkIdType& slot = slotOf(key);
+    if (slot != kNone) return {slot, false};
+    const auto added = static_cast<vtkIdType>(keys_.size());
+    slot = added;
+    keys_.push_back(key);
+    if (2 * keys_.size() > slots_.size()) grow();
+    return {added, true};
   }
 
  private:
   using Key = std::array<long long, 3>;
+  static constexpr vtkIdType kNone = -1;
+  static constexpr std::size_t kFewestSlots = 1024;
 
   Key keyOf(const double* point) const {
     Key key{};
@@ -52,17 +61,31 @@ class Places {
     return key;
   }
 
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::size_t hash = 0;
-      for (const long long part : key)
-        hash = hash * 0x9E3779B97F4A7C15U + static_cast<std::size_t>(part) + (hash >> 29U);
-      return hash;
+  static std::size_t hashOf(const Key& key) {
+    std::size_t hash = 0;
+    for (const long long part : key) {
+      hash = (hash ^ static_cast<std::size_t>(part)) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 32U;
     }
-  };
+    return hash;
+  }
+
+  /// Where the number of a place is, or where it belongs: the first free slot from the one that its hash names.
+  vtkIdType& slotOf(const Key& key) {
+    const std::size_t mask = slots_.size() - 1;  // their number is a power of two
+    std::size_t at = hashOf(key) & mask;
+    while (slots_[at] != kNone && keys_[static_cast<std::size_t>(slots_[at])] != key) at = (at + 1) & mask;
+    return slots_[at];
+  }
+
+  void grow() {
+    slots_.assign(4 * slots_.size(), kNone);
+    for (std::size_t k = 0; k < keys_.size(); ++k) slotOf(keys_[k]) = static_cast<vtkIdType>(k);
+  }
 
   double unit_;
-  std::unordered_map<Key, vtkIdType, Hash> numbers_;
+  std::vector<Key> keys_;         ///< by number
+  std::vector<vtkIdType> slots_;  ///< numbers, so that meshes of millions of points need no memory for each
 };
 
 /// Of each kind of cell; -1 for numbers that no kind has.
@@ -107,7 +130,7 @@ class CellCollector {
   void add(vtkUnstructuredGrid& grid, vtkIdType cell) {
     std::vector<vtkIdType>& known = copied_[&grid];
     known.resize(static_cast<std::size_t>(grid.GetNumberOfPoints()), kNone);
-    const vtkIdType added = copyCell(grid, cell, *cells_, [&](vtkIdType id) {
+    const vtkIdType added = copyCell(grid, cell, *cells_, *ids_, [&](vtkIdType id) {
       vtkIdType& number = known[static_cast<std::size_t>(id)];
       if (number == kNone) number = pointOf(grid, id);
       return number;
@@ -118,31 +141,36 @@ class CellCollector {
   vtkSmartPointer<vtkUnstructuredGrid> finish() const { return cells_.Get(); }
 
  private:
-  /// A point of a grid at a place.
+  static constexpr vtkIdType kNone = -1;
+
+  /// A point that was copied from a grid.
   struct Copy {
     const vtkUnstructuredGrid* grid;
-    double drawn;  ///< 0 where nothing is drawn of points
-    vtkIdType number;
+    double drawn;            ///< 0 where nothing is drawn of points
+    vtkIdType next = kNone;  ///< another one at its place
   };
 
   vtkIdType pointOf(vtkUnstructuredGrid& grid, vtkIdType id) {
     const double* point = grid.GetPoint(id);
-    const auto place = static_cast<std::size_t>(places_.number(point).first);
-    if (place >= copies_.size()) copies_.resize(place + 1);
+    const auto [place, isNew] = places_.number(point);
+    if (isNew) firstAt_.push_back(kNone);
     vtkDataArray* values = grid.GetPointData()->GetArray("drawn");
     const double drawn = values ? values->GetComponent(id, 0) : 0.0;
-    const auto isSame = [&](const Copy& copy) {
+    const auto isSame = [&](vtkIdType number) {
       constexpr double kRounding = 1e-9;
+      const Copy& copy = copies_[static_cast<std::size_t>(number)];
       if (copy.grid == &grid) return true;
       const bool isDrawnAlike = std::abs(copy.drawn - drawn) <= kRounding * std::abs(drawn) ||
                                 (std::isnan(copy.drawn) && std::isnan(drawn));
-      return isDrawnAlike && hasArrowsOf(copy.number, grid, id);
+      return isDrawnAlike && hasArrowsOf(number, grid, id);
     };
-    const auto found = std::find_if(copies_[place].begin(), copies_[place].end(), isSame);
-    if (found != copies_[place].end()) return found->number;
+    vtkIdType* last = &firstAt_[static_cast<std::size_t>(place)];
+    for (; *last != kNone; last = &copies_[static_cast<std::size_t>(*last)].next)
+      if (isSame(*last)) return *last;
     const vtkIdType number = points_->InsertNextPoint(point);
     cells_->GetPointData()->CopyData(grid.GetPointData(), id, number);
-    copies_[place].push_back({&grid, drawn, number});
+    *last = number;
+    copies_.push_back({&grid, drawn});
     return number;
   }
 
@@ -160,12 +188,12 @@ class CellCollector {
     return true;
   }
 
-  static constexpr vtkIdType kNone = -1;
-
   Places places_;
-  std::vector<std::vector<Copy>> copies_;  ///< by place
+  std::vector<vtkIdType> firstAt_;  ///< numbers of the first copies at places
+  std::vector<Copy> copies_;        ///< by number
   std::unordered_map<const vtkUnstructuredGrid*, std::vector<vtkIdType>>
       copied_;  ///< numbers of points, by theirs
+  vtkNew<vtkIdList> ids_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkUnstructuredGrid> cells_;
 };
@@ -234,13 +262,14 @@ double lengthOfAll(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grid
 /// curved cells VTK sees that faces are one if they are run through in opposite directions.
 void turnCurved(vtkUnstructuredGrid& cells, vtkUnstructuredGrid& copy) {
   vtkNew<vtkUnstructuredGrid> turned;
+  vtkNew<vtkIdList> copied;
   turned->Allocate(cells.GetNumberOfCells());
   vtkDataArray* degrees = copy.GetCellData()->GetHigherOrderDegrees();
   for (vtkIdType k = 0; k < cells.GetNumberOfCells(); ++k) {
     vtkCell& cell = *cells.GetCell(k);
     const double* parameters = cell.GetParametricCoords();
     if (cell.IsLinear() || parameters == nullptr) {
-      copyCell(cells, k, *turned, [](vtkIdType id) { return id; });
+      copyCell(cells, k, *turned, *copied, [](vtkIdType id) { return id; });
       continue;
     }
     const Eigen::Map<const Eigen::Matrix3Xd> at(parameters, 3, cell.GetNumberOfPoints());

@@ -166,7 +166,7 @@ class LinearParts {
   void add(vtkIdType cell) {
     if (!isParted(cells_.GetCellType(cell))) {
       const auto pointOf = [&](vtkIdType id) { return this->pointOf({{id, 1.0}}, false); };
-      addData(cell, copyCell(cells_, cell, *parts_, pointOf));
+      addData(cell, copyCell(cells_, cell, *parts_, *copied_, pointOf));
       return;
     }
     vtkCell& curved = *cells_.GetCell(cell);
@@ -243,6 +243,7 @@ class LinearParts {
   int count_;
   std::map<int, PartedShape> shapes_;  ///< by type of cell
   std::unordered_map<Mix, vtkIdType, Hash> known_;
+  vtkNew<vtkIdList> copied_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkUnstructuredGrid> parts_;
   vtkNew<vtkIdTypeArray> number_;
