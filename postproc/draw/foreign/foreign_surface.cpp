@@ -198,7 +198,8 @@ class CellCollector {
   vtkNew<vtkUnstructuredGrid> cells_;
 };
 
-/// The faces in several grids that are faces of their volumes, or parts of these between some of their corners.
+/// The faces in several grids that are faces of their volumes, or of straight ones parts of these between some of their
+/// corners.
 class HiddenFaces {
  public:
   HiddenFaces(const std::vector<vtkSmartPointer<vtkUnstructuredGrid>>& grids, double length)
@@ -236,13 +237,16 @@ class HiddenFaces {
 
   void hideFacesOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
     vtkCell& volume = *grid.GetCell(cell);
+    const bool isStraight = isLinear(grid, cell);
     for (int k = 0; k < volume.GetNumberOfFaces(); ++k) {
       const std::vector<vtkIdType> places = sortedPlaces(grid, *volume.GetFace(k)->GetPointIds());
       for (const vtkIdType place : places) {
         const auto found = facesAt_.find(place);
         if (found == facesAt_.end()) continue;
         for (const Face& face : found->second)
-          if (std::ranges::includes(places, face.places)) hidden_.insert(face.cell);
+          if ((isStraight || face.places.size() == places.size()) &&
+              std::ranges::includes(places, face.places))
+            hidden_.insert(face.cell);
       }
     }
   }

@@ -14,7 +14,7 @@ namespace burnish {
 /// How often the faces of curved cells are halved along each parameter.
 inline constexpr int kCurvedParts = 3;
 
-/// The cells of several grids that can be seen: volumes, and faces that are no faces of these, nor parts of such. Points at the same
+/// The cells of several grids that can be seen: volumes, and faces that are no faces of these, nor parts of straight ones. Points at the same
 /// place are one, so that what is inside is found, but for those of two grids whose values differ; where values differ
 /// within a grid, as between discontinuous elements, the place has the first one.
 vtkSmartPointer<vtkUnstructuredGrid> shownCells(

@@ -217,6 +217,17 @@ TEST(CurvedCells, MeetTheirImages) {
   }
 }
 
+/// A triangle between three corners of a face is a part of it if the face is straight.
+TEST(ShownCells, LeaveOutPartsOfStraightFaces) {
+  for (const int type : {VTK_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON}) {
+    const Grid grid = Grid::New();
+    addCell(*grid, type, type, [](const Eigen::Vector3d& p) { return p; });
+    const std::array<vtkIdType, 3> corners{0, 1, 2};
+    grid->InsertNextCell(VTK_TRIANGLE, 3, corners.data());
+    EXPECT_EQ(shownCells({grid})->GetNumberOfCells(), type == VTK_HEXAHEDRON ? 1 : 2);
+  }
+}
+
 /// Whatever the order of corners is.
 TEST(OuterFaces, LookAwayFromTheirVolumes) {
   for (const int type : {VTK_HEXAHEDRON, VTK_WEDGE, VTK_TETRA, VTK_PYRAMID, VTK_QUADRATIC_HEXAHEDRON,
