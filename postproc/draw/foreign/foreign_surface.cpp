@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -380,33 +381,60 @@ Eigen::Vector3d areaOf(const Eigen::Matrix3Xd& corners) {
   return area;
 }
 
-/// Turns faces of volumes so that they look away from the middle of their cell, whatever the order of its corners is.
-/// The parts of a curved cell are turned together, as the middle may lie beyond some of them.
+/// Of a linear cell the mean of its corners, of a curved one what is in the middle of its parameters.
+Eigen::Vector3d middleOf(vtkUnstructuredGrid& cells, vtkIdType number) {
+  vtkNew<vtkIdList> ids;
+  cells.GetCellPoints(number, ids);
+  const Eigen::Matrix3Xd places = placesOf(cells, *ids);
+  if (isLinear(cells, number)) return places.rowwise().mean();
+  vtkCell& cell = *cells.GetCell(number);
+  Eigen::Vector3d parameters = Eigen::Vector3d::Zero();
+  cell.GetParametricCenter(parameters.data());
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(places.cols());
+  cell.InterpolateFunctions(parameters.data(), shares.data());
+  return places * shares;
+}
+
+/// Turns faces of volumes so that they look away from the middle of their cell, whatever the order of its corners is. All
+/// parts of a curved cell follow the one that is nearest to the middle, as those of a bent cell may look towards it.
 void turnOutward(vtkPolyData& faces, vtkUnstructuredGrid& cells) {
+  struct Nearest {
+    Eigen::Vector3d middle;
+    double distance = std::numeric_limits<double>::infinity();
+    bool isInward = false;
+  };
   vtkDataArray* curvedOf = faces.GetCellData()->GetArray(kVolumes);
   vtkDataArray& cellOf = curvedOf ? *curvedOf : *faces.GetCellData()->GetArray(kCells);
   vtkCellArray& polygons = *faces.GetPolys();
   const vtkIdType others = faces.GetNumberOfVerts() + faces.GetNumberOfLines();
-  vtkNew<vtkIdList> ids;
-  std::unordered_map<vtkIdType, double> outwardOf;  // of curved cells
-  Eigen::VectorXd outward = Eigen::VectorXd::Zero(polygons.GetNumberOfCells());
   const auto cellAt = [&](vtkIdType face) {
     return static_cast<vtkIdType>(cellOf.GetComponent(others + face, 0));
   };
-  for (vtkIdType face = 0; face < outward.size(); ++face) {
+  vtkNew<vtkIdList> ids;
+  std::unordered_map<vtkIdType, Nearest> curved;  // cells
+  std::vector<vtkIdType> inward;
+  for (vtkIdType face = 0; face < polygons.GetNumberOfCells(); ++face) {
     const vtkIdType cell = cellAt(face);
     if (dimensionOf(cells, cell) < 3) continue;
     polygons.GetCellAtId(face, ids);
     const Eigen::Matrix3Xd corners = placesOf(faces, *ids);
-    cells.GetCellPoints(cell, ids);
-    const Eigen::Vector3d away = corners.rowwise().mean() - placesOf(cells, *ids).rowwise().mean();
-    outward(face) = areaOf(corners).dot(away);
-    if (!isLinear(cells, cell)) outwardOf[cell] += outward(face);
+    const Eigen::Vector3d place = corners.rowwise().mean(), area = areaOf(corners);
+    if (isLinear(cells, cell)) {
+      if (area.dot(place - middleOf(cells, cell)) < 0.0) inward.push_back(face);
+      continue;
+    }
+    auto found = curved.find(cell);
+    if (found == curved.end()) found = curved.emplace(cell, Nearest{middleOf(cells, cell)}).first;
+    Nearest& nearest = found->second;
+    const double distance = (place - nearest.middle).norm();
+    if (distance >= nearest.distance) continue;
+    nearest.distance = distance;
+    nearest.isInward = area.dot(place - nearest.middle) < 0.0;
   }
-  for (vtkIdType face = 0; face < outward.size(); ++face) {
-    const auto curved = outwardOf.find(cellAt(face));
-    if ((curved == outwardOf.end() ? outward(face) : curved->second) < 0.0) polygons.ReverseCellAtId(face);
-  }
+  for (vtkIdType face = 0; !curved.empty() && face < polygons.GetNumberOfCells(); ++face)
+    if (const auto found = curved.find(cellAt(face)); found != curved.end() && found->second.isInward)
+      inward.push_back(face);
+  for (const vtkIdType face : inward) polygons.ReverseCellAtId(face);
   faces.GetPointData()->SetNormals(nullptr);  // of the sides before
   faces.GetCellData()->RemoveArray(kVolumes);
 }

@@ -251,6 +251,37 @@ TEST(OuterFaces, LookAwayFromTheirVolumes) {
     }
 }
 
+/// Four cells go round a thin tube: the middle of their corners is within its bore.
+TEST(OuterFaces, OfBentCellsLookAwayFromThem) {
+  constexpr int kOut = 2, kRound = 4, kLayers = 3;
+  const Grid tube = Grid::New();
+  for (int layer = 0; layer < kLayers; ++layer)
+    for (int j = 0; j < kRound; ++j)
+      for (int i = 0; i < kOut; ++i)
+        addCell(*tube, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON, [&](const Eigen::Vector3d& p) {
+          const double radius = 1.0 + 0.1 * (i + p(0)) / kOut,
+                       angle = 2.0 * std::numbers::pi * (j + p(1)) / kRound;
+          return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), layer + p(2));
+        });
+  const auto faces = outerFaces(*shownCells({tube}));
+  int inBore = 0;
+  for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face) {
+    vtkPoints& corners = *faces->GetCell(face)->GetPoints();
+    const Eigen::Vector3d first(corners.GetPoint(0)), second(corners.GetPoint(1)), third(corners.GetPoint(2));
+    const Eigen::Vector3d normal = (second - first).cross(third - first).normalized(),
+                          place = (first + second + third) / 3.0,
+                          fromAxis = Eigen::Vector3d(place.x(), place.y(), 0.0).normalized();
+    if (std::abs(normal.z()) > 0.5) {
+      EXPECT_GT(normal.z() * (place.z() - 0.5 * kLayers), 0.0);
+      continue;
+    }
+    const bool isInBore = place.head<2>().norm() < 1.02;
+    inBore += isInBore ? 1 : 0;
+    EXPECT_GT((isInBore ? -1.0 : 1.0) * normal.dot(fromAxis), 0.0) << place.transpose();
+  }
+  EXPECT_GT(inBore, 100);
+}
+
 /// Coordinates far from the origin have digits enough for what is there, but not in single precision.
 TEST(CurvedCells, HaveTheSameFacesFarFromTheOrigin) {
   const Eigen::Vector3d far = std::ldexp(1.0, 20) * Eigen::Vector3d(1.0, 2.0, -3.0);
