@@ -232,8 +232,8 @@ class HiddenFaces {
   void addFace(vtkUnstructuredGrid& grid, vtkIdType cell) {
     vtkNew<vtkIdList> ids;
     grid.GetCellPoints(cell, ids);
-    std::vector<vtkIdType> places = sortedPlaces(grid, *ids);
-    if (!places.empty()) facesAt_[places.front()].push_back({std::move(places), {&grid, cell}});
+    const std::vector<vtkIdType> places = sortedPlaces(grid, *ids);
+    if (!places.empty()) facesAt_[places.front()].push_back({places, {&grid, cell}});
   }
 
   void hideFacesOf(vtkUnstructuredGrid& grid, vtkIdType cell) {
