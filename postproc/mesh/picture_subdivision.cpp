@@ -220,7 +220,8 @@ class SideCells {
       addCuts(whole, {Half{}, Half{}}, deepest, cells);
       for (SpanCells& along : cells) {
         std::ranges::sort(along.cuts);
-        along.cuts.erase(std::ranges::unique(along.cuts).begin(), along.cuts.end());
+        const auto repeated = std::ranges::unique(along.cuts);
+        along.cuts.erase(repeated.begin(), repeated.end());
       }
     }
     return cells;
