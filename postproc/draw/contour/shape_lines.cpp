@@ -36,6 +36,24 @@ bool covers(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& place) {
   return inside;
 }
 
+/// Which part of a line between two places lies in an area, as parts of its length; empty (begin > end) if it passes by.
+struct LinePart {
+  double begin = 0.0, end = 1.0;
+};
+LinePart partWithin(const PixelRect& area, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d low(area.x, area.y), high(area.right(), area.top()), way = to - from;
+  LinePart part;
+  for (const Eigen::Index d : {0, 1}) {
+    if (way(d) == 0.0) {
+      if (from(d) < low(d) || from(d) > high(d)) return {1.0, 0.0};
+      continue;
+    }
+    const auto [enters, leaves] = std::minmax((low(d) - from(d)) / way(d), (high(d) - from(d)) / way(d));
+    part = {std::max(part.begin, enters), std::min(part.end, leaves)};
+  }
+  return part;
+}
+
 /// Of surfaces, in pixels.
 std::vector<Eigen::Matrix2Xd> polygonsOf(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
                                          const View& view) {
@@ -177,8 +195,16 @@ vtkSmartPointer<vtkPolyData> besideSurfaces(vtkPolyData& lines,
     lines.GetLines()->GetCellAtId(cell, ids);
     for (vtkIdType k = 0; k + 1 < ids->GetNumberOfIds(); ++k) {
       const Eigen::Vector3d from(lines.GetPoint(ids->GetId(k))), to(lines.GetPoint(ids->GetId(k + 1)));
-      const double steps = std::max(1.0, std::ceil((view.pixel(to) - view.pixel(from)).norm()));
-      const auto at = [&](double step) -> Eigen::Vector3d { return from + step / steps * (to - from); };
+      const Eigen::Vector2d a = view.pixel(from), b = view.pixel(to);
+      const LinePart seen = partWithin(view.area, a, b);
+      if (seen.begin > 0.0 || seen.end <= 0.0) endPiece();
+      if (seen.begin >= seen.end) continue;
+      const double steps = std::max(1.0, std::ceil((seen.end - seen.begin) * (b - a).norm()));
+      const double sizeFrom = view.pixelsPerLengthAt(from), sizeTo = view.pixelsPerLengthAt(to);
+      const auto at = [&](double step) -> Eigen::Vector3d {
+        const double part = seen.begin + step / steps * (seen.end - seen.begin);
+        return from + part * sizeTo / ((1.0 - part) * sizeFrom + part * sizeTo) * (to - from);
+      };
       for (double step = 0.0; step < steps; ++step) {
         const Eigen::Vector2d middle = view.pixel(at(step + 0.5));
         if (std::ranges::any_of(polygons, [&](const auto& polygon) { return covers(polygon, middle); })) {

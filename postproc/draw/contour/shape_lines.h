@@ -38,7 +38,8 @@ bool hasMotion(vtkPolyData& lines);
 /// that have moved by less than three times as many have none. All of lines without it.
 vtkSmartPointer<vtkPolyData> movedLines(vtkPolyData& lines, const View& view, double pixels);
 
-/// Of lines what no polygon of one of the surfaces covers in a view, to a pixel. Lines and surfaces may lie in one plane.
+/// Of lines what no polygon of one of the surfaces covers in the area of a view, to a pixel; nothing beyond the area. Lines and
+/// surfaces may lie in one plane.
 vtkSmartPointer<vtkPolyData> besideSurfaces(vtkPolyData& lines,
                                             const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
                                             const View& view);

@@ -585,6 +585,7 @@ TEST(LinesOfBodies, EndWhereASurfaceLiesBeforeThem) {
   View view;
   view.axes << 1, 0, 0, 0, 1, 0;
   view.pixelsPerLength = 1.0;
+  view.area = {-1000.0, -1000.0, 2000.0, 2000.0};  // about 0
   const auto drawn = besideSurfaces(*through.finish(), {shape.finish()}, view);
   vtkNew<vtkIdList> ids;
   std::vector<double> places;
@@ -594,6 +595,11 @@ TEST(LinesOfBodies, EndWhereASurfaceLiesBeforeThem) {
       places.push_back(drawn->GetPoint(end)[0]);
   }
   EXPECT_THAT(places, testing::Pointwise(testing::DoubleNear(1.0), {0.0, 100.0, 140.0, 160.0, 200.0, 300.0}));
+  view.pixelsPerLength = 1e6;  // what is not seen takes no time
+  for (const auto& [x, numLines] : {std::pair(150.0, 1), {120.0, 0}}) {
+    view.center = {x, 40.0};
+    EXPECT_EQ(besideSurfaces(*through.finish(), {shape.finish()}, view)->GetNumberOfLines(), numLines) << x;
+  }
 }
 
 }  // namespace
