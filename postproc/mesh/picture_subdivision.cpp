@@ -157,6 +157,8 @@ class SideCells {
   static constexpr int kSamples = 8;  ///< cells per span and direction
   static constexpr int kDepthOfMost = std::bit_width(static_cast<unsigned>(kMostCellsOfPicture)) - 1;
   static constexpr int kDeepest = 30;  ///< beyond that, where numbers end
+  static constexpr std::size_t kEnoughCuts =
+      50'000;  ///< of a span, with repetitions: four times those of a part
 
   /// The rows of the side; pointsOf: along a direction that is not at an end.
   template <class PointsOf>
@@ -240,7 +242,8 @@ class SideCells {
   /// whole span has.
   void addCuts(const SpanPart& part, const std::array<Half, 2>& where, int deepest,
                std::array<SpanCells, 2>& cells) const {
-    if (!boxOf(part).intersects(positions_.window)) return;
+    const bool isEnough = cells[0].cuts.size() + cells[1].cuts.size() > kEnoughCuts;
+    if (isEnough || !boxOf(part).intersects(positions_.window)) return;
     const Eigen::Array2d needed = cellsNeeded(part);
     std::array<bool, 2> halves{};
     for (const std::size_t d : {0U, 1U}) {
@@ -270,6 +273,15 @@ class SideCells {
   bool isMagnitude_ = false;
   Grid weights_, x_, f_;
 };
+
+/// What is seen of a face along itself has no end of cells: beyond these a direction of a patch has none of its own.
+void limitCuts(std::vector<SpanCells>& spans) {
+  constexpr std::size_t kMost = 8 * kMostCellsOfPicture;
+  std::size_t count = 0;
+  for (const SpanCells& cells : spans) count += cells.cuts.size();
+  if (count <= kMost) return;
+  for (SpanCells& cells : spans) cells.cuts.clear();
+}
 
 /// The cells along an edge of a patch.
 std::vector<SpanCells>& cellsAlong(Subdivision::Counts& counts, const PatchSide& edge) {
@@ -308,6 +320,8 @@ Subdivision pictureSubdivision(const MeshRecord& mesh, const Eigen::MatrixXd& di
   }
   for (const PatchSide& side : borders.surface())
     SideCells(mesh.patches[side.patch], side, displacement, positions, values).refine(counts[side.patch]);
+  for (auto& patch : counts)
+    for (auto& direction : patch) limitCuts(direction);
   bool changed = true;
   while (changed) {  // a row may go through many patches
     changed = false;

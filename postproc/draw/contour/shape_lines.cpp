@@ -48,7 +48,7 @@ LinePart partWithin(const PixelRect& area, const Eigen::Vector2d& from, const Ei
       if (from(d) < low(d) || from(d) > high(d)) return {1.0, 0.0};
       continue;
     }
-    const auto [enters, leaves] = std::minmax((low(d) - from(d)) / way(d), (high(d) - from(d)) / way(d));
+    const auto [enters, leaves] = std::minmax({(low(d) - from(d)) / way(d), (high(d) - from(d)) / way(d)});
     part = {std::max(part.begin, enters), std::min(part.end, leaves)};
   }
   return part;

@@ -395,8 +395,8 @@ Eigen::Vector3d middleOf(vtkUnstructuredGrid& cells, vtkIdType number) {
   return places * shares;
 }
 
-/// Turns faces of volumes so that they look away from the middle of their cell, whatever the order of its corners is. All
-/// parts of a curved cell follow the one that is nearest to the middle, as those of a bent cell may look towards it.
+/// Turns faces of volumes so that they look away from the middle of their cell, whatever the order of its corners is; not those
+/// of polyhedra, whose middle may lie beyond a face. All parts of a curved cell follow the one that is nearest to the middle, as those of a bent cell may look towards it.
 void turnOutward(vtkPolyData& faces, vtkUnstructuredGrid& cells) {
   struct Nearest {
     Eigen::Vector3d middle;
@@ -419,6 +419,7 @@ void turnOutward(vtkPolyData& faces, vtkUnstructuredGrid& cells) {
     polygons.GetCellAtId(face, ids);
     const Eigen::Matrix3Xd corners = placesOf(faces, *ids);
     const Eigen::Vector3d place = corners.rowwise().mean(), area = areaOf(corners);
+    if (cells.GetCellType(cell) == VTK_POLYHEDRON) continue;
     if (isLinear(cells, cell)) {
       if (area.dot(place - middleOf(cells, cell)) < 0.0) inward.push_back(face);
       continue;

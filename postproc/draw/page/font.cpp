@@ -269,7 +269,8 @@ std::string utf8(std::span<const FriBidiChar> letters) {
 
 /// Leaves out letters that only tell the direction, and all joiners but those of letters that join.
 SeenText inVisualOrder(const std::string& text) {
-  constexpr FriBidiChar kLam = 0x644, kFirstLamAlef = 0xFEF5, kLastLamAlef = 0xFEFC;
+  constexpr FriBidiChar kLam = 0x644;
+  const auto isLamAlef = [](FriBidiChar letter) { return letter >= 0xFEF5 && letter <= 0xFEFC; };
   std::vector<FriBidiChar> written;
   for (const Cluster& cluster : clustersOf(text))
     written.insert(written.end(), cluster.letters.begin(), cluster.letters.end());
@@ -288,12 +289,8 @@ SeenText inVisualOrder(const std::string& text) {
     result.text += utf8({&seen[k], 1});
     const auto place = static_cast<std::size_t>(places[k]);
     std::vector<FriBidiChar> meant{written[place]};
-    if (letter >= kFirstLamAlef && letter <= kLastLamAlef) {  // one letter for two
-      if (meant.front() == kLam && place + 1 < count)
-        meant.push_back(written[place + 1]);
-      else
-        meant.insert(meant.begin(), kLam);
-    }
+    if (isLamAlef(letter) && !isLamAlef(meant.front()))
+      meant.insert(meant.begin(), kLam);  // one letter for two
     result.meant.push_back(utf8(meant));
   }
   return result;

@@ -45,7 +45,7 @@ bool hasLettersFromRightToLeft(const std::string& text);
 
 /// The text in one line, in parts: what the font of this name has not, such as Greek letters, is in the
 /// default font, or in another one that is installed; a letter that none has becomes a box. Scripts from right to left have the order
-/// and the forms in which they are read (Unicode's bidirectional algorithm), and those of India to Cambodia the glyphs that the
+/// and the forms in which they are read (Unicode's bidirectional algorithm), and those of South and Southeast Asia the glyphs that the
 /// font has for letters beside one another.
 std::vector<FontPiece> fontPieces(const std::string& text, const std::string& name);
 

@@ -66,7 +66,9 @@ TEST_F(PdfText, HasTheLettersOfGlyphsThatJoin) {
 /// And not those of the forms that Arabic letters have in a word; lam and alef are drawn as one.
 TEST_F(PdfText, HasTheLettersOfScriptsFromRightToLeft) {
   EXPECT_THAT(told(labelled("قوة الضغط שלום"), "pdftotext a.pdf -"), HasSubstr("قوة الضغط שלום"));
-  EXPECT_THAT(told(labelled("سلام"), "pdftotext a.pdf -"), testing::ContainsRegex("س(لا|ال)م"));
+  // One by one pdftotext turns the two letters that the glyph stands for as well.
+  EXPECT_THAT(told(labelled("سلام"), "pdftotext a.pdf -"), HasSubstr("سالم"));
+  EXPECT_THAT(told(labelled("س\uFEFBم"), "pdftotext a.pdf -"), HasSubstr("س\uFEFBم"));
 }
 
 /// What reads SVG turns them.

@@ -99,6 +99,47 @@ TEST(PictureSubdivision, FollowsTheZoomIntoSpans) {
   }
 }
 
+/// Of two patches that begin at opposite ends of the edge at which they meet.
+TEST(PictureSubdivision, LeavesNoCracksWhereOneLooksIntoSpans) {
+  ModelRecord model = modelOf(quarterRing());
+  FrameRecord still = frameOf(model, 0, 0.0);
+  still.displacement.setZero();
+  MeshRecord mesh = mirrored(model, still, {{0, 0.0}}).model.mesh;
+  ASSERT_EQ(mesh.patches.size(), 2U);
+  const double width = 1e-3;
+  for (const double place : {0.3, 0.6}) {  // along the edge
+    const Eigen::Vector2d middle(0.0, std::lerp(kInnerRadius, kOuterRadius, place));
+    const Eigen::AlignedBox2d window(middle.array() - width / 2, middle.array() + width / 2);
+    const ValueTolerance values{randomCoefficients(1, mesh.numNodes, 1), 1e-9, {-10.0, 10.0}};
+    const Subdivision cells = pictureSubdivision(mesh, {}, {width * width / 1000.0, window}, &values);
+    const auto shape = trianglesOf(mesh, cells).displaced({});
+    EXPECT_GT(shape->GetNumberOfCells(), 3 * 4 * kMostCellsOfPicture * kMostCellsOfPicture);
+    const auto border = borderOf(*shape);
+    double inside = 0.0;  // length of edges of one triangle within the body
+    for (vtkIdType line = 0; line < border->GetNumberOfCells(); ++line) {
+      vtkNew<vtkIdList> ids;
+      border->GetCellPoints(line, ids);
+      const Eigen::Vector3d half = 0.5 * (placeOf(*border, ids->GetId(0)) + placeOf(*border, ids->GetId(1)));
+      if (std::abs(half.x()) < 1e-6) inside += 1.0;
+    }
+    EXPECT_EQ(inside, 0.0);
+  }
+}
+
+/// A face that is seen along itself, and one that is curved so: all of it lies before and behind what is seen.
+TEST(PictureSubdivision, OfFacesThatAreSeenAlongThemselvesHasAnEnd) {
+  const Patch<3> octant = ballOctant({0, 0, 0}, 1.0, {0, 1, 0});
+  const ModelRecord model = modelOf(octant);
+  PositionTolerance positions{1e-9, {}};
+  positions.axes << 0, 1, 0, 0, 0, 1;
+  for (const Eigen::Vector2d& middle :
+       {Eigen::Vector2d(0.5, 0.0), Eigen::Vector2d(std::sqrt(0.5), std::sqrt(0.5))}) {
+    positions.window = {middle.array() - 1e-5, middle.array() + 1e-5};
+    const Subdivision cells = pictureSubdivision(model.mesh, {}, positions, nullptr);
+    EXPECT_LT(BodySurface(model.mesh, cells).displaced({})->GetNumberOfCells(), 3'000'000);
+  }
+}
+
 TEST(PictureSubdivision, KeepsValuesWithinTheTolerance) {
   samples::Sample sample = slab({3, 2});
   const Eigen::MatrixXd& strain = sample.frame.fields["plastic_strain"].values;
