@@ -64,6 +64,15 @@ std::vector<PatchSide> facesAt(const PatchSide& edge) {
   return faces;
 }
 
+/// How many of the edges with these nodes lie apart in their patches: a face that has collapsed to one has it twice.
+std::ptrdiff_t numPlaces(const MeshRecord& mesh, const Nodes& nodes, const std::vector<PatchSide>& edges) {
+  const auto isOfCollapsed = [&](const PatchSide& edge) {
+    return std::ranges::any_of(facesAt(edge),
+                               [&](const PatchSide& face) { return sortedNodesOn(mesh, face) == nodes; });
+  };
+  return std::ssize(edges) - std::ranges::count_if(edges, isOfCollapsed) / 2;
+}
+
 }  // namespace
 
 std::vector<int> functionsOn(const PatchRecord& patch, const PatchSide& side) {
@@ -105,13 +114,8 @@ PatchBorders::PatchBorders(const MeshRecord& mesh) {
       most = std::max(most, free);
       all += free;
     }
-    // A face that has collapsed to an edge has it twice.
-    const auto twice = std::ranges::count_if(edges, [&, &line = nodes](const PatchSide& edge) {
-      return std::ranges::any_of(facesAt(edge),
-                                 [&](const PatchSide& face) { return sortedNodesOn(mesh, face) == line; });
-    });
     const bool isCorner = most == mesh.dim() - 1,
-               isAroundOthers = all > 0 && std::ssize(edges) - twice / 2 > 2;
+               isAroundOthers = all > 0 && edges.size() > 2 && numPlaces(mesh, nodes, edges) > 2;
     if (isCorner || isAroundOthers)
       outline_.push_back(edges.front());
     else if (mesh.dim() == 2 || all > 0)

@@ -157,8 +157,8 @@ class SideCells {
   static constexpr int kSamples = 8;  ///< cells per span and direction
   static constexpr int kDepthOfMost = std::bit_width(static_cast<unsigned>(kMostCellsOfPicture)) - 1;
   static constexpr int kDeepest = 30;  ///< beyond that, where numbers end
-  static constexpr std::size_t kEnoughCuts =
-      50'000;  ///< of a span, with repetitions: four times those of a part
+  /// Of a span, with repetitions; what is seen of one has a quarter of them.
+  static constexpr std::size_t kEnoughCuts = 50'000;
 
   /// The rows of the side; pointsOf: along a direction that is not at an end.
   template <class PointsOf>
