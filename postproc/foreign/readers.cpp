@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <json/json.h>
+#include <vtkAVSucdReader.h>
 #include <vtkAbstractArray.h>
 #include <vtkAppendFilter.h>
 #include <vtkCGNSReader.h>
@@ -10,6 +11,8 @@
 #include <vtkDataSetReader.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkExodusIIReader.h>
+#include <vtkFLUENTReader.h>
+#include <vtkGLTFReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
 #include <vtkInformation.h>
@@ -21,13 +24,17 @@
 #include <vtkOpenFOAMReader.h>
 #include <vtkOutputWindow.h>
 #include <vtkPLYReader.h>
+#include <vtkPartitionedDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTecplotReader.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPartitionedDataSetCollectionReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
@@ -207,16 +214,27 @@ void addBlocks(std::vector<ForeignBlock>& blocks, vtkDataObject* object, const s
       blocks.push_back({name, gridOf(*data, file)});
     return;
   }
+  if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(object)) {
+    const unsigned count = pieces->GetNumberOfPartitions();
+    for (unsigned k = 0; k < count; ++k)
+      addBlocks(blocks, pieces->GetPartitionAsDataObject(k),
+                count == 1 ? name : fmt::format("{} piece {}", name, k), file);
+    return;
+  }
+  const auto addNamed = [&](vtkDataObject* child, vtkInformation* information) {
+    const std::string own = nameIn(information);
+    addBlocks(blocks, child, own.empty() ? fmt::format("block {}", blocks.size()) : typedName(own), file);
+  };
+  if (auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(object))
+    for (unsigned k = 0; k < sets->GetNumberOfPartitionedDataSets(); ++k)
+      addNamed(sets->GetPartitionedDataSet(k), sets->HasMetaData(k) ? sets->GetMetaData(k) : nullptr);
   auto* tree = vtkMultiBlockDataSet::SafeDownCast(object);
   for (unsigned k = 0; tree && k < tree->GetNumberOfBlocks(); ++k) {
-    const std::string own = nameIn(tree->HasMetaData(k) ? tree->GetMetaData(k) : nullptr);
-    const bool isGroup = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(k)) != nullptr;
     // Readers put blocks into groups for their kind, which is no name of a block.
-    addBlocks(blocks, tree->GetBlock(k),
-              isGroup       ? name
-              : own.empty() ? fmt::format("block {}", blocks.size())
-                            : typedName(own),
-              file);
+    if (vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(k)))
+      addBlocks(blocks, tree->GetBlock(k), name, file);
+    else
+      addNamed(tree->GetBlock(k), tree->HasMetaData(k) ? tree->GetMetaData(k) : nullptr);
   }
 }
 
@@ -295,6 +313,31 @@ std::unique_ptr<ForeignSource> readExodus(const fs::path& file) {
     reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
     reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
   });
+}
+
+std::unique_ptr<ForeignSource> readAvs(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkAVSucdReader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    reader->EnableAllPointArrays();
+    reader->EnableAllCellArrays();
+  });
+}
+
+std::unique_ptr<ForeignSource> readTecplot(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkTecplotReader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, [reader] {
+    for (int k = 0; k < reader->GetNumberOfDataArrays(); ++k)
+      reader->SetDataArrayStatus(reader->GetDataArrayName(k), 1);
+  });
+}
+
+/// With the `.dat` file beside it, where the fields are.
+std::unique_ptr<ForeignSource> readFluent(const fs::path& file) {
+  const auto reader = vtkSmartPointer<vtkFLUENTReader>::New();
+  reader->SetFileName(file.c_str());
+  return std::make_unique<ReaderSource>(file, reader, [reader] { reader->EnableAllCellArrays(); });
 }
 
 std::unique_ptr<ForeignSource> readCgns(const fs::path& file) {
@@ -501,12 +544,18 @@ struct Opening {
   std::unique_ptr<ForeignSource> (*open)(const fs::path& file);
 };
 
-constexpr std::array kOpenings{Opening{".case", readEnSight},
+constexpr std::array kOpenings{Opening{".avs", readAvs},
+                               Opening{".cas", readFluent},
+                               Opening{".case", readEnSight},
                                Opening{".cgns", readCgns},
+                               Opening{".dat", readTecplot},
                                Opening{".e", readExodus},
                                Opening{".ex2", readExodus},
                                Opening{".exo", readExodus},
                                Opening{".foam", readOpenFoam},
+                               Opening{".glb", readWith<vtkGLTFReader>},
+                               Opening{".gltf", readWith<vtkGLTFReader>},
+                               Opening{".inp", readAvs},
                                Opening{".obj", readWith<vtkOBJReader>},
                                Opening{".ply", readWith<vtkPLYReader>},
                                Opening{".pvd", make<CollectionSource>},
@@ -517,11 +566,15 @@ constexpr std::array kOpenings{Opening{".case", readEnSight},
                                Opening{".pvtu", make<PieceSource>},
                                Opening{".series", make<CollectionSource>},
                                Opening{".stl", readWith<vtkSTLReader>},
+                               Opening{".tec", readTecplot},
+                               Opening{".tp", readTecplot},
+                               Opening{".ucd", readAvs},
                                Opening{".vti", readXmlWith<vtkXMLImageDataReader>},
                                Opening{".vtk", readLegacy},
                                Opening{".vtkhdf", readWith<vtkHDFReader>},
                                Opening{".vtm", readXmlWith<vtkXMLMultiBlockDataReader>},
                                Opening{".vtp", readXmlWith<vtkXMLPolyDataReader>},
+                               Opening{".vtpc", readXmlWith<vtkXMLPartitionedDataSetCollectionReader>},
                                Opening{".vtr", readXmlWith<vtkXMLRectilinearGridReader>},
                                Opening{".vts", readXmlWith<vtkXMLStructuredGridReader>},
                                Opening{".vtu", readXmlWith<vtkXMLUnstructuredGridReader>}};

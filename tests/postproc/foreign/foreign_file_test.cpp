@@ -80,11 +80,12 @@ struct Sample {
 };
 
 const std::vector<Sample>& samplesOfPrograms() {
-  static const std::vector<Sample> all{{"meshio.vtu", {49, 54}},   {"meshio.vtk", {49, 54}},
-                                       {"a.exo", {64, 27}},        {"h5py.vtkhdf", {27, 8}},
-                                       {"dealii.vtu", {512, 32}},  {"getfem.vtu", {91, 18}},
-                                       {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},
-                                       {"tri.case", {4, 2}},       {"calculix.vtu", {56, 4}}};
+  static const std::vector<Sample> all{
+      {"meshio.vtu", {49, 54}},   {"meshio.vtk", {49, 54}},  {"a.exo", {64, 27}},
+      {"h5py.vtkhdf", {27, 8}},   {"dealii.vtu", {512, 32}}, {"getfem.vtu", {91, 18}},
+      {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},    {"tri.case", {4, 2}},
+      {"calculix.vtu", {56, 4}},  {"meshio.avs", {49, 54}},  {"meshio.tec", {49, 54}},
+      {"assimp.glb", {0, 0}}};
   return all;
 }
 
@@ -122,6 +123,8 @@ TEST_F(ForeignFiles, HaveTheirValuesAtTheirPoints) {
   const auto distance = [](const Eigen::Vector3d& x) { return std::hypot(x(0), x(1)); };
   EXPECT_LT(largestError(sampleOf("meshio.vtu"), distance), 1e-12);
   EXPECT_LT(largestError(sampleOf("meshio.vtk"), distance), 1e-12);
+  EXPECT_LT(largestError(sampleOf("meshio.avs"), distance), 1e-6) << "of single precision";
+  EXPECT_LT(largestError(sampleOf("meshio.tec"), distance), 1e-6) << "of single precision";
   const auto square = [](const Eigen::Vector3d& x) { return x(0) * x(0) + x(1); };
   EXPECT_LT(largestError(sampleOf("cgns.cgns"), square, "Temperature"), 1e-12);
   EXPECT_LT(largestError(sampleOf("h5py.vtkhdf"), [](const Eigen::Vector3d& x) { return x(0) + x(1); }),
@@ -168,6 +171,44 @@ TEST_F(ForeignFiles, ACaseOfOpenFoamHasWhatItsCellsHaveAtEachTime) {
   std::ifstream stream(sampleOf("cavity/0.2/U"));
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_NEAR(speed->GetComponent(0, 0), std::stod(text.substr(text.find("\n(\n(") + 4)), 1e-7);
+}
+
+/// The first cells of cavity.dat.
+TEST_F(ForeignFiles, ACaseOfFluentHasTheFieldsOfTheFileBesideIt) {
+  const std::vector<ForeignBlock> blocks = ForeignFile(sampleOf("cavity.cas")).blocks(0);
+  ASSERT_EQ(blocks.size(), 1U);
+  vtkDataArray* pressure = blocks.front().grid->GetCellData()->GetArray("PRESSURE");
+  ASSERT_NE(pressure, nullptr);
+  EXPECT_NEAR(pressure->GetComponent(1, 0), 0.048604, 1e-12);
+}
+
+/// Samples hold t + x of points at the times 0, 0.5 and 1.5.
+TEST_F(ForeignFiles, OfSeveralTimesHaveTheValuesOfEach) {
+  fs::copy(sampleOf("tri.geo"), dir_ / "tri.geo");
+  std::ofstream(dir_ / "times.case")
+      << "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: tri.geo\nVARIABLE\n"
+         "scalar per node: 1 level level.**\nTIME\ntime set: 1\nnumber of steps: 3\n"
+         "filename start number: 0\nfilename increment: 1\ntime values: 0 0.5 1.5\n";
+  constexpr std::array kTimes{0.0, 0.5, 1.5};
+  for (std::size_t k = 0; k < kTimes.size(); ++k) {
+    std::ofstream level(dir_ / fmt::format("level.0{}", k));
+    level << "level\npart\n         1\ncoordinates\n";
+    for (const double x : {0.0, 1.0, 1.0, 0.0}) level << fmt::format("{:12.5e}\n", kTimes[k] + x);
+  }
+  const auto expectLevels = [&](const fs::path& name, const char* field) {
+    const ForeignFile file(name);
+    EXPECT_THAT(file.times(), testing::ElementsAreArray(kTimes)) << name;
+    for (std::size_t k = 0; k < kTimes.size(); ++k)
+      for (const ForeignBlock& block : file.blocks(k)) {
+        vtkDataArray* levels = block.grid->GetPointData()->GetArray(field);
+        ASSERT_NE(levels, nullptr) << name;
+        for (vtkIdType i = 0; i < levels->GetNumberOfTuples(); ++i)
+          EXPECT_NEAR(levels->GetComponent(i, 0), kTimes[k] + block.grid->GetPoint(i)[0], 1e-6) << name;
+      }
+  };
+  expectLevels(dir_ / "times.case", "level");
+  expectLevels(sampleOf("times.ex2"), "level");
+  expectLevels(sampleOf("times.cgns"), "Temperature");
 }
 
 /// A series of JSON, as ParaView and others write it beside files of one time each.
