@@ -350,8 +350,7 @@ class ContourPicture {
   vtkSmartPointer<vtkImageData> capture(const Color& background, const Plan& plan) const {
     const ContourLayout& layout = plan.layout;
     OffscreenCanvas canvas(size_[0], size_[1]);
-    vtkNew<vtkRenderer> paper;
-    vtkNew<PeelingRenderer> space;
+    vtkNew<PeelingRenderer> paper, space;
     addLayers(canvas, background, *paper, *space, layout.view, size_);
     paint(texts(plan), *paper, canvas.supersampling());
     drawSpace(*space, canvas.supersampling(), plan, Shown::Everything);
@@ -385,8 +384,7 @@ class ContourPicture {
   vtkSmartPointer<vtkImageData> captureSpace(const Color& background, const View& printed,
                                              const std::array<int, 2>& pixels, const Plan& plan) const {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
-    vtkNew<vtkRenderer> paper;
-    vtkNew<PeelingRenderer> space;
+    vtkNew<PeelingRenderer> paper, space;
     addLayers(canvas, background, *paper, *space, printed, pixels);
     drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan,
               isFlat() ? Shown::Areas : Shown::Everything);

@@ -5,9 +5,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <vtkCellArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <array>
@@ -183,17 +183,23 @@ class FreeSky::Occluders {
  private:
   void append(vtkPolyData& surface, std::vector<float>& points, std::vector<unsigned>& corners) const {
     const auto first = static_cast<unsigned>(points.size() / 3);
+    points.reserve(points.size() + 3 * static_cast<std::size_t>(surface.GetNumberOfPoints()));
     for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) {
-      const Eigen::Vector3f x = space_.place(Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(k)));
+      Eigen::Vector3d at;
+      surface.GetPoint(k, at.data());
+      const Eigen::Vector3f x = space_.place(at);
       points.insert(points.end(), x.begin(), x.end());
     }
-    vtkNew<vtkIdList> ids;
     vtkCellArray& polygons = *surface.GetPolys();
-    for (vtkIdType cell = 0; cell < polygons.GetNumberOfCells(); ++cell) {
-      polygons.GetCellAtId(cell, ids);
-      for (vtkIdType k = 2; k < ids->GetNumberOfIds(); ++k)
+    corners.reserve(corners.size() + 3 * static_cast<std::size_t>(polygons.GetNumberOfConnectivityIds()));
+    const auto polygon = vtk::TakeSmartPointer(polygons.NewIterator());
+    for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell()) {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      polygon->GetCurrentCell(count, ids);
+      for (vtkIdType k = 2; k < count; ++k)
         for (const vtkIdType corner : {vtkIdType{0}, k - 1, k})
-          corners.push_back(first + static_cast<unsigned>(ids->GetId(corner)));
+          corners.push_back(first + static_cast<unsigned>(ids[corner]));
     }
   }
 

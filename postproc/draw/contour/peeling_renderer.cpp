@@ -37,7 +37,11 @@ vtkStandardNewMacro(AllPeels);
 vtkStandardNewMacro(PeelingRenderer);
 
 void PeelingRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) {
-  if (UseDepthPeeling && !DepthPeelingPass) {
+  if (!UseDepthPeeling) {
+    UpdateTranslucentPolygonalGeometry();
+    return;
+  }
+  if (!DepthPeelingPass) {
     DepthPeelingPass = AllPeels::New();
     const vtkNew<vtkTranslucentPass> layers;
     DepthPeelingPass->SetTranslucentPass(layers);
