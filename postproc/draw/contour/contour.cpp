@@ -360,8 +360,10 @@ class ContourPicture {
 
   /// The paper below and space above it; the shadow on the ground fades out beside the body, where space ends, unless
   /// the picture is of a part of the body.
-  void addLayers(OffscreenCanvas& canvas, const Color& background, vtkRenderer& paper, vtkRenderer& space,
-                 const View& view, const std::array<int, 2>& pixels) const {
+  void addLayers(OffscreenCanvas& canvas, const Color& background, PeelingRenderer& paper,
+                 PeelingRenderer& space, const View& view, const std::array<int, 2>& pixels) const {
+    paper.blendInOrder();
+    if (isFlat()) space.blendInOrder();
     canvas.window().SetNumberOfLayers(2);
     canvas.window().AddRenderer(&paper);
     canvas.window().AddRenderer(&space);

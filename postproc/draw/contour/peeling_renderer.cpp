@@ -37,11 +37,11 @@ vtkStandardNewMacro(AllPeels);
 vtkStandardNewMacro(PeelingRenderer);
 
 void PeelingRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) {
-  if (!UseDepthPeeling) {
+  if (blendsInOrder_ && !UseDepthPeeling) {
     UpdateTranslucentPolygonalGeometry();
     return;
   }
-  if (!DepthPeelingPass) {
+  if (UseDepthPeeling && !DepthPeelingPass) {
     DepthPeelingPass = AllPeels::New();
     const vtkNew<vtkTranslucentPass> layers;
     DepthPeelingPass->SetTranslucentPass(layers);

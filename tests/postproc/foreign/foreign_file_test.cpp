@@ -85,7 +85,7 @@ const std::vector<Sample>& samplesOfPrograms() {
       {"h5py.vtkhdf", {27, 8}},   {"dealii.vtu", {512, 32}}, {"getfem.vtu", {91, 18}},
       {"paraview.ex2", {47, 14}}, {"cgns.cgns", {12, 2}},    {"tri.case", {4, 2}},
       {"calculix.vtu", {56, 4}},  {"meshio.avs", {49, 54}},  {"meshio.tec", {49, 54}},
-      {"assimp.glb", {0, 0}}};
+      {"assimp.glb", {172, 96}}};
   return all;
 }
 
