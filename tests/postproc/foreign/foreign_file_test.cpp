@@ -91,8 +91,11 @@ const std::vector<Sample>& samplesOfPrograms() {
 
 /// With further files that they name.
 const std::vector<Sample>& collectionsOfPrograms() {
-  static const std::vector<Sample> all{
-      {"fenicsx.pvd", {28, 18}}, {"openfoam.vtm", {98, 36}}, {"cavity/cavity.foam", {50, 16}}};
+  static const std::vector<Sample> all{{"fenicsx.pvd", {28, 18}},
+                                       {"openfoam.vtm", {98, 36}},
+                                       {"cavity/cavity.foam", {50, 16}},
+                                       {"cavity.cas", {50, 16}},
+                                       {"paraview.vtpc", {58, 70}}};
   return all;
 }
 
