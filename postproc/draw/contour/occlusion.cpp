@@ -1,6 +1,7 @@
 #include "postproc/draw/contour/occlusion.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -21,10 +22,15 @@
 namespace burnish {
 namespace {
 
-Eigen::Matrix3Xd tuplesOf(vtkDataArray& array) {
-  Eigen::Matrix3Xd tuples(3, array.GetNumberOfTuples());
-  for (Eigen::Index k = 0; k < tuples.cols(); ++k) array.GetTuple(k, tuples.col(k).data());
-  return tuples;
+using Tuples = Eigen::Ref<const Eigen::Matrix3Xd>;
+
+/// Of an array of doubles where they lie, of others in `copy`.
+Eigen::Map<const Eigen::Matrix3Xd> tuplesOf(vtkDataArray& array, Eigen::Matrix3Xd& copy) {
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(&array))
+    return {doubles->GetPointer(0), 3, doubles->GetNumberOfTuples()};
+  copy.resize(3, array.GetNumberOfTuples());
+  for (Eigen::Index k = 0; k < copy.cols(); ++k) array.GetTuple(k, copy.col(k).data());
+  return {copy.data(), 3, copy.cols()};
 }
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -35,8 +41,7 @@ class CoarseLattice {
  public:
   /// x: points of the surface. first: number of the first one of the lattice. Lines are at most `distance` apart
   /// where those of the lattice are.
-  CoarseLattice(const Eigen::Matrix3Xd& x, Eigen::Index first, const BodySurface::Lattice& lattice,
-                double distance)
+  CoarseLattice(const Tuples& x, Eigen::Index first, const BodySurface::Lattice& lattice, double distance)
       : first_(first), numCorners_(lattice.corners.size()), hasMiddles_(lattice.middles.size() > 0) {
     Eigen::Index step = 1;
     for (const int extent : lattice.corners.extent) {
@@ -115,7 +120,7 @@ class CoarseLattice {
   }
 
   /// The first and the last line, and as few between as the distance allows.
-  std::vector<Eigen::Index> linesOf(const Eigen::Matrix3Xd& x, std::size_t direction, double distance) const {
+  std::vector<Eigen::Index> linesOf(const Tuples& x, std::size_t direction, double distance) const {
     std::vector<Eigen::Index> lines{0};
     double way = 0.0;
     for (Eigen::Index i = 0; i + 1 < extents_[direction]; ++i) {
@@ -158,7 +163,7 @@ struct Cut {
 
 /// Shares at points of a surface. lattices: how they lie; none where nothing is known of it. distance: at which shares
 /// are computed at least, or at twice of it where they hardly change.
-Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& normals,
+Eigen::VectorXd sharesOf(const Tuples& x, const Tuples& normals,
                          const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky,
                          const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
   constexpr double kCalm = 0.02;  // five levels of grey
@@ -214,9 +219,10 @@ Eigen::VectorXd sharesOf(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& norm
 void setSkyOf(vtkPolyData* surface, const std::vector<BodySurface::Lattice>& lattices, const FreeSky& sky,
               const FreeSky::Rays& rays, double distance, const std::optional<Cut>& cut) {
   if (!surface || !surface->GetPointData()->GetNormals()) return;
+  Eigen::Matrix3Xd points, normals;
   const Eigen::VectorXd shares =
-      sharesOf(tuplesOf(*surface->GetPoints()->GetData()), tuplesOf(*surface->GetPointData()->GetNormals()),
-               lattices, sky, rays, distance, cut);
+      sharesOf(tuplesOf(*surface->GetPoints()->GetData(), points),
+               tuplesOf(*surface->GetPointData()->GetNormals(), normals), lattices, sky, rays, distance, cut);
   surface->GetPointData()->AddArray(makeArray(kSky, shares.transpose(), {}));
 }
 
@@ -296,7 +302,8 @@ vtkSmartPointer<vtkPolyData> Occlusion::groundShadow() const {
   plane->SetResolution(kCells, kCells);
   plane->Update();
   vtkSmartPointer<vtkPolyData> ground = plane->GetOutput();
-  const Eigen::Matrix3Xd points = tuplesOf(*ground->GetPoints()->GetData());
+  Eigen::Matrix3Xd copy;
+  const Eigen::Map<const Eigen::Matrix3Xd> points = tuplesOf(*ground->GetPoints()->GetData(), copy);
   const BodySurface::Lattice lattice{{{kCells + 1, kCells + 1, 1}}, {{0, 0, 0}}};
   Eigen::VectorXd shares = sharesOf(points, Eigen::Vector3d::UnitY().replicate(1, points.cols()), {lattice},
                                     sky_, {.reach = reach, .most = kRays}, 0.0, {});
