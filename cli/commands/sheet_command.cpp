@@ -18,6 +18,7 @@
 #include "cli/jobs/child_process.h"
 #include "cli/output_target.h"
 #include "engine/core/error.h"
+#include "postproc/draw/page/picture_size.h"
 #include "postproc/draw/page/print_file.h"
 #include "postproc/draw/page/sheet.h"
 #include "postproc/foreign/foreign_file.h"
@@ -237,6 +238,9 @@ ExitCode sheet(const SheetArguments& arguments) {
   PanelSize panel;
   arguments.picture.picture.readInto(panel);
   const auto [width, height] = panel.size;
+  if (!isPictureSize(panel.size))
+    throw Error(
+        fmt::format("--panel-size: found {} x {} pixels; expected {}", width, height, pictureSizeWords()));
   const int usual = panels.haveResults() ? columns * width : kUsualWidth;
   const int sheetWidth = arguments.width > 0 ? arguments.width : usual;
   const int panelWidth = sheetPanelWidth(columns, sheetWidth);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <fstream>
@@ -57,6 +58,17 @@ void requireCounts(const fs::path& file, const std::vector<ForeignBlock>& blocks
   require(cells < 0 || cells == foundCells, file, "cells", cells, foundCells);
 }
 
+std::int64_t numWords(std::string_view line) {
+  std::int64_t words = 0;
+  bool inWord = false;
+  for (const char letter : line) {
+    const bool isBlank = letter == ' ' || letter == '\t' || letter == '\r';
+    if (!isBlank && !inWord) ++words;
+    inWord = !isBlank;
+  }
+  return words;
+}
+
 void requirePly(const fs::path& file, const std::vector<ForeignBlock>& blocks) {
   const auto numbers = numbersBehind(file, {"element vertex", "element face"}, "end_header");
   const auto points = numbers.find("element vertex"), faces = numbers.find("element face");
@@ -89,6 +101,37 @@ void requireAnnounced(const fs::path& file, const std::vector<ForeignBlock>& blo
   if (ending == ".stl") requireStl(file);
   if (ending == ".ply") requirePly(file, blocks);
   if (ending == ".vtk") requireLegacy(file, blocks);
+}
+
+void requireAvs(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (std::getline(stream, line) && line.starts_with('#')) {
+  }
+  std::array<std::int64_t, 5> numbers{};  // of points, cells, and values of each point, cell and of all
+  std::istringstream header(line);
+  for (std::int64_t& number : numbers)
+    if (!(header >> number) || number < 0)
+      throw Error(
+          fmt::format("{}: this is no AVS UCD file in letters: it does not begin with five numbers, of "
+                      "points, cells and values",
+                      file.string()));
+  const auto requireLines = [&](std::int64_t count, std::int64_t words, const char* what) {
+    for (std::int64_t k = 0; k < count; ++k)
+      require(std::getline(stream, line) && numWords(line) >= words, file, what, count, k);
+  };
+  constexpr std::int64_t kNumberAndPlace = 4, kNumberMaterialKindAndPoint = 4;
+  requireLines(numbers[0], kNumberAndPlace, "points");
+  requireLines(numbers[1], kNumberMaterialKindAndPoint, "cells");
+  const auto requireValues = [&](std::int64_t values, std::int64_t count, const char* what) {
+    if (values == 0) return;
+    std::int64_t components = 0;
+    require(std::getline(stream, line) && std::istringstream(line) >> components, file, what, count, 0);
+    requireLines(components, 0, "names of values");
+    requireLines(count, 1 + values, what);
+  };
+  requireValues(numbers[2], numbers[0], "values of points");
+  requireValues(numbers[3], numbers[1], "values of cells");
 }
 
 }  // namespace burnish

@@ -10,4 +10,8 @@ namespace burnish {
 /// a file that was cut off, without a word. Throws `Error` with both numbers.
 void requireAnnounced(const std::filesystem::path& file, const std::vector<ForeignBlock>& blocks);
 
+/// A file of AVS UCD in letters has a line for each point, cell and set of values that it announces, with as many words as these take:
+/// its reader makes up what is missing. Throws `Error` where it has not, or is no such file.
+void requireAvs(const std::filesystem::path& file);
+
 }  // namespace burnish

@@ -316,6 +316,7 @@ std::unique_ptr<ForeignSource> readExodus(const fs::path& file) {
 }
 
 std::unique_ptr<ForeignSource> readAvs(const fs::path& file) {
+  requireAvs(file);
   const auto reader = vtkSmartPointer<vtkAVSucdReader>::New();
   reader->SetFileName(file.c_str());
   return std::make_unique<ReaderSource>(file, reader, [reader] {
@@ -335,6 +336,9 @@ std::unique_ptr<ForeignSource> readTecplot(const fs::path& file) {
 
 /// With the `.dat` file beside it, where the fields are.
 std::unique_ptr<ForeignSource> readFluent(const fs::path& file) {
+  if (const fs::path fields = fs::path(file).replace_extension(".dat"); !fs::exists(fields))
+    throw Error(fmt::format("{}: found no {} beside it, where the fields of such a case are", file.string(),
+                            fields.filename().string()));
   const auto reader = vtkSmartPointer<vtkFLUENTReader>::New();
   reader->SetFileName(file.c_str());
   return std::make_unique<ReaderSource>(file, reader, [reader] { reader->EnableAllCellArrays(); });
@@ -520,8 +524,8 @@ class CollectionSource : public ForeignSource {
  private:
   /// What has no times of its own.
   static std::unique_ptr<ForeignSource> openEntry(const fs::path& file) {
-    constexpr std::array kEndings{".vtu",  ".vtp",  ".vts",  ".vtr", ".vti", ".pvtu", ".pvtp",
-                                  ".pvts", ".pvtr", ".pvti", ".vtm", ".vtk", ".stl",  ".ply"};
+    constexpr std::array kEndings{".vtu",  ".vtp",  ".vts", ".vtr",  ".vti", ".pvtu", ".pvtp", ".pvts",
+                                  ".pvtr", ".pvti", ".vtm", ".vtpc", ".vtk", ".stl",  ".ply"};
     const std::string ending = endingOf(file);
     if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return openFile(file);
     throw Error(fmt::format("{}: found the ending {}; expected {}", file.string(), quoted(ending),
@@ -548,14 +552,11 @@ constexpr std::array kOpenings{Opening{".avs", readAvs},
                                Opening{".cas", readFluent},
                                Opening{".case", readEnSight},
                                Opening{".cgns", readCgns},
-                               Opening{".dat", readTecplot},
                                Opening{".e", readExodus},
                                Opening{".ex2", readExodus},
                                Opening{".exo", readExodus},
                                Opening{".foam", readOpenFoam},
                                Opening{".glb", readWith<vtkGLTFReader>},
-                               Opening{".gltf", readWith<vtkGLTFReader>},
-                               Opening{".inp", readAvs},
                                Opening{".obj", readWith<vtkOBJReader>},
                                Opening{".ply", readWith<vtkPLYReader>},
                                Opening{".pvd", make<CollectionSource>},

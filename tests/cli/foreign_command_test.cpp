@@ -468,7 +468,8 @@ TEST_F(ForeignCommand, PageForPrintHasItsTexts) {
 TEST_F(ForeignCommand, EveryFormatMakesAPicture) {
   for (const char* name :
        {"meshio.vtu", "meshio.vtk", "gmsh.vtk", "gmsh.stl", "h5py.vtkhdf", "a.exo", "tri.case", "dealii.vtu",
-        "getfem.vtu", "fenicsx.pvd", "openfoam.vtm", "paraview.ex2", "openscad.stl", "cgns.cgns"})
+        "getfem.vtu", "fenicsx.pvd", "openfoam.vtm", "paraview.ex2", "openscad.stl", "cgns.cgns",
+        "meshio.avs", "meshio.tec", "cavity.cas", "assimp.glb", "paraview.vtpc"})
     EXPECT_EQ(burnish("render " + sample(name) + " --size 300,200 -o " + name + ".png").code, 0) << name;
 }
 

@@ -111,8 +111,8 @@ void requireInPlace(const DataPair& pair) {
 
 /// Whether a file names others, which a copy of it would not have.
 bool namesOthers(const DataPair& pair) {
-  constexpr std::array kEndings{".pvd",  ".pvtu", ".pvtp", ".pvts",   ".pvtr",
-                                ".pvti", ".vtm",  ".case", ".series", ".foam"};
+  constexpr std::array kEndings{".pvd", ".pvtu", ".pvtp", ".pvts", ".pvtr",   ".pvti",
+                                ".vtm", ".vtpc", ".case", ".cas",  ".series", ".foam"};
   return pair.kind != ComparedKind::Result && std::ranges::count(kEndings, pair.actual.extension()) > 0;
 }
 

@@ -78,7 +78,7 @@ constexpr int kPacket = 8;
 constexpr unsigned kAllOfPacket = (1U << kPacket) - 1U;
 using RayPacket = Eigen::Matrix<float, 3, kPacket>;
 
-/// Where a place in the unit square is along a curve through it that leaves no place near it for long (Z order).
+/// Where a place in the unit square is along a curve through it whose neighbours are mostly neighbours there, too (Z order).
 unsigned placeOnCurve(double x, double y) {
   constexpr unsigned kBits = 8;
   constexpr double kCells = 1U << kBits;
@@ -153,6 +153,15 @@ class FreeSky::Occluders {
     embree_.setSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
     std::vector<float> points;
     std::vector<unsigned> corners;
+    std::size_t numPoints = 0, numTriangles = 0;
+    for (const auto& surface : surfaces) {
+      vtkCellArray& polygons = *surface->GetPolys();
+      numPoints += static_cast<std::size_t>(surface->GetNumberOfPoints());
+      numTriangles += static_cast<std::size_t>(
+          std::max<vtkIdType>(0, polygons.GetNumberOfConnectivityIds() - 2 * polygons.GetNumberOfCells()));
+    }
+    points.reserve(3 * numPoints);
+    corners.reserve(3 * numTriangles);
     for (const auto& surface : surfaces) append(*surface, points, corners);
     isEmpty_ = corners.empty();
     if (isEmpty_) return;
@@ -205,7 +214,6 @@ class FreeSky::Occluders {
  private:
   void append(vtkPolyData& surface, std::vector<float>& points, std::vector<unsigned>& corners) const {
     const auto first = static_cast<unsigned>(points.size() / 3);
-    points.reserve(points.size() + 3 * static_cast<std::size_t>(surface.GetNumberOfPoints()));
     for (vtkIdType k = 0; k < surface.GetNumberOfPoints(); ++k) {
       Eigen::Vector3d at;
       surface.GetPoint(k, at.data());
@@ -213,7 +221,6 @@ class FreeSky::Occluders {
       points.insert(points.end(), x.begin(), x.end());
     }
     vtkCellArray& polygons = *surface.GetPolys();
-    corners.reserve(corners.size() + 3 * static_cast<std::size_t>(polygons.GetNumberOfConnectivityIds()));
     const auto polygon = vtk::TakeSmartPointer(polygons.NewIterator());
     for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell()) {
       vtkIdType count = 0;

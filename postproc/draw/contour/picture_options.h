@@ -307,7 +307,7 @@ void describeLook(Visitor& v, PictureOptions& s) {
 template <class Visitor>
 void describeSize(Visitor& v, PictureOptions& s, const char* key) {
   static_assert(kSmallestPicture == std::array{200, 150});
-  v.field(key, s.size, {.atLeast = kSmallestPicture[1], .atMost = kLargestSide},
+  v.field(key, s.size, {.above = 0, .atMost = kLargestSide},
           "Width and height in pixels, 200 x 150 or more.");
 }
 

@@ -185,6 +185,26 @@ TEST_F(ForeignFiles, ACaseOfFluentHasTheFieldsOfTheFileBesideIt) {
   EXPECT_NEAR(pressure->GetComponent(1, 0), 0.048604, 1e-12);
 }
 
+TEST_F(ForeignFiles, ACaseOfFluentWithoutTheFileBesideItSaysSo) {
+  fs::copy_file(sampleOf("cavity.cas"), dir_ / "alone.cas");
+  EXPECT_EQ(
+      messageOf([&] { ForeignFile(dir_ / "alone.cas").blocks(0); }),
+      (dir_ / "alone.cas").string() + ": found no alone.dat beside it, where the fields of such a case are");
+}
+
+TEST_F(ForeignFiles, OfAvsThatWereCutOffAreDamaged) {
+  const std::vector<char> whole = bytesOf(sampleOf("meshio.avs"));
+  for (const std::size_t size : {std::size_t{300}, std::size_t{2500}, std::size_t{4000}, whole.size() - 5}) {
+    writeBytes({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}, dir_ / "cut.avs");
+    EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "cut.avs").blocks(0); }),
+                HasSubstr("cut.avs: the file is damaged: it announces"))
+        << size;
+  }
+  std::ofstream(dir_ / "deck.ucd") << "*HEADING\na model\n*NODE\n1, 0., 0., 0.\n";
+  EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "deck.ucd").blocks(0); }),
+              HasSubstr("deck.ucd: this is no AVS UCD file in letters: it does not begin with five numbers"));
+}
+
 /// Samples hold t + x of points at the times 0, 0.5 and 1.5.
 TEST_F(ForeignFiles, OfSeveralTimesHaveTheValuesOfEach) {
   fs::copy(sampleOf("tri.geo"), dir_ / "tri.geo");
@@ -410,7 +430,10 @@ std::vector<fs::path> writtenByVtk(const fs::path& dir) {
 TEST_F(ForeignFiles, DamagedInAnyWayEndInASentence) {
   std::vector<fs::path> files = writtenByVtk(dir_);
   for (const Sample& sample : samplesOfPrograms()) files.push_back(sampleOf(sample.name));
-  for (const char* name : {"gmsh.vtk", "gmsh.stl"}) files.push_back(sampleOf(name));
+  for (const char* name : {"gmsh.vtk", "gmsh.stl", "cavity.cas", "paraview.vtpc", "times.ex2", "times.cgns"})
+    files.push_back(sampleOf(name));
+  fs::copy(sampleOf("cavity.dat"), dir_ / "damaged.dat");
+  fs::copy(sampleOf("paraview"), dir_ / "paraview");
   fs::copy(sampleOf("tri.geo"), dir_ / "tri.geo");
   fs::copy(sampleOf("tri.temp"), dir_ / "tri.temp");
   unsigned seed = 12345;
