@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/core/error.h"
+#include "engine/core/lower_case.h"
 #include "engine/core/stl_counts.h"
 
 namespace burnish {
@@ -132,6 +133,17 @@ void requireAvs(const fs::path& file) {
   };
   requireValues(numbers[2], numbers[0], "values of points");
   requireValues(numbers[3], numbers[1], "values of cells");
+}
+
+void requireTecplot(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (std::getline(stream, line)) {
+    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
+    if (inLowerCase(line.substr(0, 4)) == "zone") return;
+  }
+  throw Error(fmt::format("{}: this is no Tecplot file in letters: none of its lines begins with ZONE",
+                          file.string()));
 }
 
 }  // namespace burnish

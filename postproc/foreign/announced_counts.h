@@ -14,4 +14,7 @@ void requireAnnounced(const std::filesystem::path& file, const std::vector<Forei
 /// its reader makes up what is missing. Throws `Error` where it has not, or is no such file.
 void requireAvs(const std::filesystem::path& file);
 
+/// A file of Tecplot in letters has zones: of one without any, its reader says nothing. Throws `Error`.
+void requireTecplot(const std::filesystem::path& file);
+
 }  // namespace burnish

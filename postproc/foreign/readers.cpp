@@ -326,6 +326,7 @@ std::unique_ptr<ForeignSource> readAvs(const fs::path& file) {
 }
 
 std::unique_ptr<ForeignSource> readTecplot(const fs::path& file) {
+  requireTecplot(file);
   const auto reader = vtkSmartPointer<vtkTecplotReader>::New();
   reader->SetFileName(file.c_str());
   return std::make_unique<ReaderSource>(file, reader, [reader] {

@@ -192,7 +192,7 @@ TEST_F(ForeignFiles, ACaseOfFluentWithoutTheFileBesideItSaysSo) {
       (dir_ / "alone.cas").string() + ": found no alone.dat beside it, where the fields of such a case are");
 }
 
-TEST_F(ForeignFiles, OfAvsThatWereCutOffAreDamaged) {
+TEST_F(ForeignFiles, InLettersThatWereCutOffOrAreOthersAreToldSo) {
   const std::vector<char> whole = bytesOf(sampleOf("meshio.avs"));
   for (const std::size_t size : {std::size_t{300}, std::size_t{2500}, std::size_t{4000}, whole.size() - 40}) {
     writeBytes({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}, dir_ / "cut.avs");
@@ -203,6 +203,10 @@ TEST_F(ForeignFiles, OfAvsThatWereCutOffAreDamaged) {
   std::ofstream(dir_ / "deck.ucd") << "*HEADING\na model\n*NODE\n1, 0., 0., 0.\n";
   EXPECT_THAT(messageOf([&] { ForeignFile(dir_ / "deck.ucd").blocks(0); }),
               HasSubstr("deck.ucd: this is no AVS UCD file in letters: it does not begin with five numbers"));
+  std::ofstream(dir_ / "table.tec") << "# x y\n0 1\n1 2\n";
+  EXPECT_EQ(messageOf([&] { ForeignFile(dir_ / "table.tec").blocks(0); }),
+            (dir_ / "table.tec").string() +
+                ": this is no Tecplot file in letters: none of its lines begins with ZONE");
 }
 
 /// Samples hold t + x of points at the times 0, 0.5 and 1.5.
