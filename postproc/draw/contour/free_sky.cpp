@@ -78,39 +78,19 @@ constexpr int kPacket = 8;
 constexpr unsigned kAllOfPacket = (1U << kPacket) - 1U;
 using RayPacket = Eigen::Matrix<float, 3, kPacket>;
 
-/// Where a place in the unit square is along a curve through it whose neighbours are mostly neighbours there, too (Z order).
-unsigned placeOnCurve(double x, double y) {
-  constexpr unsigned kBits = 8;
-  constexpr double kCells = 1U << kBits;
-  const auto column = static_cast<unsigned>(x * kCells), row = static_cast<unsigned>(y * kCells);
-  unsigned place = 0;
-  for (unsigned bit = 0; bit < kBits; ++bit)
-    place |= (column >> bit & 1U) << 2U * bit | (row >> bit & 1U) << (2U * bit + 1U);
-  return place;
-}
-
 /// Directions about the z axis, 3 x count (a multiple of four), in a spiral whose turns have equal shares of cosine-weighted
-/// space: a quarter of it, and its images in x, in y and in both, in an order in which those next to one another go the
-/// same way, as packets of rays are followed fastest.
+/// space: a quarter of it, and its images in x, in y and in both.
 Eigen::Matrix3Xd spiral(Eigen::Index count) {
   constexpr double kGolden = 0.3819660112501051;  // of a turn
   const Eigen::Index quarter = count / 4;
-  std::vector<Eigen::Vector3d> ofQuarter;
+  Eigen::Matrix3Xd directions(3, count);
   for (Eigen::Index k = 0; k < quarter; ++k) {
     const auto number = static_cast<double>(k);
     const double square = (number + 0.5) / static_cast<double>(quarter), radius = std::sqrt(square),
-                 angle = 0.5 * std::numbers::pi * (kGolden * number - std::floor(kGolden * number));
-    ofQuarter.emplace_back(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0 - square));
+                 angle = 0.5 * std::numbers::pi * (kGolden * number - std::floor(kGolden * number)),
+                 x = radius * std::cos(angle), y = radius * std::sin(angle), z = std::sqrt(1.0 - square);
+    directions.middleCols<4>(4 * k) << x, -x, x, -x, y, y, -y, -y, z, z, z, z;
   }
-  std::ranges::stable_sort(ofQuarter, {}, [](const Eigen::Vector3d& direction) {
-    return placeOnCurve(direction.x(), direction.y());
-  });
-  Eigen::Matrix3Xd directions(3, count);
-  Eigen::Index next = 0;
-  for (const double x : {1.0, -1.0})
-    for (const double y : {1.0, -1.0})
-      for (const Eigen::Vector3d& direction : ofQuarter)
-        directions.col(next++) = direction.cwiseProduct(Eigen::Vector3d(x, y, 1.0));
   return directions;
 }
 
@@ -187,7 +167,6 @@ class FreeSky::Occluders {
     if (isEmpty_ || asked == 0) return 0;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     RTCRay8 rays;
     alignas(32) std::array<int, kPacket> valid;
     for (int k = 0; k < kPacket; ++k) {
