@@ -587,12 +587,10 @@ class ContourPicture {
                             : lineActor(*part.lines, part.color, width, part.opacity),
                 view, liftOf(part.layer, view) + part.lift * lengthOf(parts_));
     };
-    if (!isOfContact() || !isFlat() || what == Shown::Everything) {
-      const auto colored = contourActor(*body_.with, plan.scale, !isFlat());
-      if (isOfContact())
-        colored->GetProperty()->SetLineWidth(static_cast<float>(kFaceWidth * scale * lineWidth()));
-      add(colored, isOfContact() ? kContactFaces : kBody);
-    }
+    if (!isOfContact() || !isFlat())
+      add(contourActor(*body_.with, plan.scale, !isFlat()), isOfContact() ? kContactFaces : kBody);
+    else if (what == Shown::Everything)
+      add(contourLineActor(*body_.with, plan.scale, kFaceWidth * scale * lineWidth()), kContactFaces);
     if (parts_.section)
       add(hatchesSection() ? plainActor(*parts_.section, theme_.paper, false, 1.0)
                            : contourActor(*section_.with, plan.scale, false),

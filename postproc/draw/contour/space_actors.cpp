@@ -17,18 +17,19 @@
 #include <cmath>
 
 #include "postproc/draw/contour/shape_lines.h"
+#include "postproc/draw/contour/stroke_mapper.h"
 
 namespace burnish {
 namespace {
 
-vtkSmartPointer<vtkActor> makeActor(vtkPolyData& data) {
-  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData& data,
+                                    vtkOpenGLPolyDataMapper& mapper = *vtkNew<vtkOpenGLPolyDataMapper>()) {
   // The card gets floats: about the middle of the part, so that it is as exact wherever it lies.
-  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
-  mapper->SetInputData(&data);
-  mapper->ScalarVisibilityOff();
+  mapper.SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+  mapper.SetInputData(&data);
+  mapper.ScalarVisibilityOff();
   const auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
+  actor->SetMapper(&mapper);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -82,6 +83,85 @@ void shade(vtkActor& actor, vtkPolyData& surface, const LightRange& range) {
       false);
 }
 
+/// A line as the points that are nearer to it than half of its width: a rectangle with round ends, in which the next one
+/// begins. `stroke` is the place along and across it from its begin, `strokeLength` its length, in widths. What VTK adds
+/// where it finds its marks goes through to the fragments.
+constexpr const char* kStroke = R"(
+//VTK::PositionVC::Dec
+//VTK::PrimID::Dec
+//VTK::Color::Dec
+//VTK::Normal::Dec
+//VTK::Light::Dec
+//VTK::TCoord::Dec
+//VTK::Picking::Dec
+//VTK::DepthPeeling::Dec
+//VTK::Clip::Dec
+//VTK::Output::Dec
+uniform vec2 lineWidthNVC;
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+noperspective out vec2 strokeGSOutput;
+flat out float strokeLengthGSOutput;
+
+void main() {
+  vec2 way = (gl_in[1].gl_Position.xy / gl_in[1].gl_Position.w -
+              gl_in[0].gl_Position.xy / gl_in[0].gl_Position.w) / lineWidthNVC;
+  float span = length(way);
+  vec2 along = span > 1e-6 ? way / span : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  for (int j = 0; j < 4; j++) {
+    int i = j / 2;
+    float end = i == 0 ? -kEnd : kEnd, side = j % 2 == 0 ? 0.5 : -0.5;
+    //VTK::PrimID::Impl
+    //VTK::Clip::Impl
+    //VTK::Color::Impl
+    //VTK::Normal::Impl
+    //VTK::Light::Impl
+    //VTK::TCoord::Impl
+    //VTK::DepthPeeling::Impl
+    //VTK::Picking::Impl
+    //VTK::PositionVC::Impl
+    strokeGSOutput = vec2((i == 0 ? 0.0 : span) + end, side);
+    strokeLengthGSOutput = span;
+    vec4 place = gl_in[i].gl_Position;
+    gl_Position = vec4(place.xy + lineWidthNVC * (end * along + side * across) * place.w, place.z, place.w);
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+)";
+
+/// Flat ones where overlaps would be seen, as of translucent lines, or what lies beyond an end would be wrong.
+enum class LineEnds { Flat, Round };
+
+void stroke(vtkActor& actor, double width, LineEnds ends) {
+  vtkShaderProperty& shaders = *actor.GetShaderProperty();
+  actor.GetProperty()->SetLineWidth(static_cast<float>(width));
+  shaders.SetGeometryShaderCode(fmt::format("//VTK::System::Dec\nconst float kEnd = {};{}",
+                                            ends == LineEnds::Round ? "0.5" : "0.0", kStroke)
+                                    .c_str());
+  if (ends == LineEnds::Flat) return;
+  shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+                                       "//VTK::Normal::Dec\nnoperspective in vec2 strokeGSOutput;\n"
+                                       "flat in float strokeLengthGSOutput;\n",
+                                       false);
+  shaders.AddFragmentShaderReplacement(
+      "//VTK::Color::Impl", true,
+      "//VTK::Color::Impl\n  float beyond = max(-strokeGSOutput.x, strokeGSOutput.x - strokeLengthGSOutput);\n"
+      "  if (beyond > 0.0 && beyond * beyond + strokeGSOutput.y * strokeGSOutput.y > 0.25) discard;\n",
+      false);
+}
+
+void colorBy(const ColorScale& scale, vtkActor& actor) {
+  vtkMapper& mapper = *actor.GetMapper();
+  mapper.ScalarVisibilityOn();
+  mapper.SetScalarModeToUsePointData();
+  mapper.SetColorModeToMapScalars();
+  mapper.InterpolateScalarsBeforeMappingOn();
+  mapper.SetLookupTable(scale.table());
+  mapper.UseLookupTableScalarRangeOn();
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, bool shaded, double opacity) {
@@ -93,13 +173,7 @@ vtkSmartPointer<vtkActor> plainActor(vtkPolyData& surface, const Color& color, b
 
 vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& scale, bool shaded) {
   const auto actor = makeActor(surface);
-  vtkMapper& mapper = *actor->GetMapper();
-  mapper.ScalarVisibilityOn();
-  mapper.SetScalarModeToUsePointData();
-  mapper.SetColorModeToMapScalars();
-  mapper.InterpolateScalarsBeforeMappingOn();
-  mapper.SetLookupTable(scale.table());
-  mapper.UseLookupTableScalarRangeOn();
+  colorBy(scale, *actor);
   if (shaded) shade(*actor, surface, kFieldLight);
   return actor;
 }
@@ -114,9 +188,16 @@ vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface) {
 }
 
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity) {
-  const auto actor = makeActor(lines);
+  const auto actor = makeActor(lines, *vtkNew<StrokeMapper>());
   paint(*actor, color, opacity);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  stroke(*actor, width, opacity == 1.0 ? LineEnds::Round : LineEnds::Flat);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> contourLineActor(vtkPolyData& lines, const ColorScale& scale, double width) {
+  const auto actor = makeActor(lines, *vtkNew<StrokeMapper>());
+  colorBy(scale, *actor);
+  stroke(*actor, width, LineEnds::Flat);
   return actor;
 }
 
@@ -132,11 +213,16 @@ vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, do
                                      "//VTK::PositionVC::Impl\n  wayVCVSOutput = wayMC;\n"
                                      "  gl_Position.z = 1e-4 * gl_Position.z - 0.999 * gl_Position.w;\n",
                                      false);
+  shaders.AddGeometryShaderReplacement(
+      "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin float wayVCVSOutput[];\nout float wayVCGSOutput;\n",
+      false);
+  shaders.AddGeometryShaderReplacement("//VTK::Normal::Impl", true,
+                                       "//VTK::Normal::Impl\n    wayVCGSOutput = wayVCVSOutput[i];\n", false);
   shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
-                                       "//VTK::Normal::Dec\nin float wayVCVSOutput;\n", false);
+                                       "//VTK::Normal::Dec\nin float wayVCGSOutput;\n", false);
   shaders.AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
-      fmt::format("//VTK::Color::Impl\n  if (mod(wayVCVSOutput, {:.4f}) > {:.4f}) discard;\n", dash,
+      fmt::format("//VTK::Color::Impl\n  if (mod(wayVCGSOutput, {:.4f}) > {:.4f}) discard;\n", dash,
                   (1.0 - kGap) * dash),
       false);
   return actor;

@@ -25,8 +25,11 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
 /// A surface whose points have colours of their own, RGBA, without light.
 vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface);
 
-/// Lines. width: in pixels of the window.
+/// Lines, opaque ones with round ends and corners. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
+
+/// Lines whose colours are looked up as those of `contourActor`.
+vtkSmartPointer<vtkActor> contourLineActor(vtkPolyData& lines, const ColorScale& scale, double width);
 
 /// Lines with `kWayAlong`, in front of everything, dashed and pale: over what is seen of them anyway they change
 /// nothing. dash: length of a dash with its gap, in pixels of the view.
