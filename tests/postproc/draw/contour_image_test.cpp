@@ -106,18 +106,27 @@ steps: [{until: 1, count: 10}]
   const ResultReader result(dir / "press");
   ContourOptions options = small("von_mises");
   options.size = {1600, 900};
-  const Picture picture = drawn({result.model(), result.frame(result.numFrames() - 1)}, options);
-  const Eigen::Vector2d low = view.pixel(Eigen::Vector2d(0.02, 0.02)),
-                        high = view.pixel(Eigen::Vector2d(1.98, 0.92));
-  const double middle = view.pixel(Eigen::Vector2d(1.0, 0.0)).x();
-  const auto isInside = [&](const Eigen::Vector2d& pixel) {
-    return (pixel.array() > low.array()).all() && (pixel.array() < high.array()).all();
+  const auto worstOf = [&](const ContourOptions& given) {
+    const Picture picture = drawn({result.model(), result.frame(result.numFrames() - 1)}, given);
+    const Eigen::Vector2d low = view.pixel(Eigen::Vector2d(0.02, 0.02)),
+                          high = view.pixel(Eigen::Vector2d(1.98, 0.92));
+    const double middle = view.pixel(Eigen::Vector2d(1.0, 0.0)).x();
+    const auto isInside = [&](const Eigen::Vector2d& pixel) {
+      return (pixel.array() > low.array()).all() && (pixel.array() < high.array()).all();
+    };
+    return worstDifference(picture, picture, isInside, [&](const Eigen::Vector2d& pixel) {
+      return Eigen::Vector2d(2.0 * middle - pixel.x(), pixel.y());
+    });
   };
-  EXPECT_LE(worstDifference(picture, picture, isInside,
-                            [&](const Eigen::Vector2d& pixel) {
-                              return Eigen::Vector2d(2.0 * middle - pixel.x(), pixel.y());
-                            }),
-            1);
+  EXPECT_LE(worstOf(options), 1);
+  options.isolines = 7;
+  EXPECT_LE(worstOf(options), 1) << "isolines";
+  options.isolines = 0;
+  options.knots = true;
+  EXPECT_LE(worstOf(options), 1) << "knot lines";
+  options.knots = false;
+  options.arrows = ArrowField::Displacement;
+  EXPECT_LE(worstOf(options), 1) << "arrows";
 }
 
 TEST_F(ContourPictures, OfABodyFarFromTheOriginAreTheSame) {
