@@ -39,7 +39,9 @@ Eigen::MatrixXd DilatationProduct<Dim>::ofSpan(std::size_t e) const {
 }
 
 template <int Dim>
-void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+template <class Factors>
+void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y,
+                                      const Factors& factors) const {
   const auto& spans = projection_.spans();
   const auto& numbers = projection_.workedOn();
   const auto forAll = [&](const auto& f) {
@@ -48,31 +50,95 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
       return true;
     });
   };
-  const auto partOf = [&](Eigen::VectorXd& all, std::size_t e) {
-    return all.segment(begins_[e], begins_[e + 1] - begins_[e]);
+  // Of each span, three numbers for each of its functions: those with Z, with C and with z.
+  Eigen::VectorXd all(3 * begins_.back()), met(begins_.back());
+  const auto partOf = [&](std::size_t e, Eigen::Index which) {
+    const Eigen::Index m = begins_[e + 1] - begins_[e];
+    return all.segment(3 * begins_[e] + which * m, m);
   };
-  const auto sumOver = [&](Eigen::VectorXd& all) {
-    return projection_.sumOverSpans([&](std::size_t e) { return partOf(all, e); });
-  };
+  const auto metBy = [&](std::size_t e) { return met.segment(begins_[e], begins_[e + 1] - begins_[e]); };
 
-  Eigen::VectorXd Zx(begins_.back()), Cx(begins_.back());  // of each span
   forAll([&](std::size_t e) {
-    const Eigen::VectorXd ofSpan = x(unknowns_[e]);
-    partOf(Zx, e).noalias() = shares_[e].Z.transpose() * ofSpan;
-    partOf(Cx, e).noalias() = shares_[e].C.transpose() * ofSpan;
+    factors.timesTransposed(e, x(unknowns_[e]),
+                            all.segment(3 * begins_[e], 3 * (begins_[e + 1] - begins_[e])));
   });
-  const Eigen::VectorXd change = sumOver(Zx);
-  Eigen::VectorXd met(begins_.back());
-  forAll([&](std::size_t e) { partOf(met, e) = shares_[e].E * change(spans[e].functions) + partOf(Cx, e); });
-  const Eigen::VectorXd answer = sumOver(met);
+  const Eigen::VectorXd change = projection_.sumOverSpans([&](std::size_t e) { return partOf(e, 0); });
+  forAll(
+      [&](std::size_t e) { metBy(e).noalias() = shares_[e].E * change(spans[e].functions) + partOf(e, 1); });
+  const Eigen::VectorXd answer = projection_.sumOverSpans(metBy);
   parallelBatches(batches_, [&](std::size_t e) {
-    const DilatationShare& share = shares_[e];
     const auto& functions = spans[e].functions;
-    const Eigen::VectorXd own = share.z.transpose() * x(unknowns_[e]);
-    y(unknowns_[e]) += share.Z * answer(functions) + share.C * (change(functions) - own) -
-                       share.z * (share.E * own + partOf(Cx, e));
+    auto ofZ = partOf(e, 0), ofC = partOf(e, 1), own = partOf(e, 2);
+    const Eigen::VectorXd metByItself = shares_[e].E * own + ofC;
+    ofZ = answer(functions);
+    ofC = change(functions) - own;
+    own = -metByItself;
+    y(unknowns_[e]) += factors.times(e, all.segment(3 * begins_[e], 3 * (begins_[e + 1] - begins_[e])));
     return true;
   });
+}
+
+namespace {
+
+/// As shares have them.
+struct DoubleFactors {
+  const std::vector<DilatationShare>& shares;
+
+  void timesTransposed(std::size_t e, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> y) const {
+    const DilatationShare& share = shares[e];
+    const Eigen::Index m = share.Z.cols();
+    y.head(m).noalias() = share.Z.transpose() * x;
+    y.segment(m, m).noalias() = share.C.transpose() * x;
+    y.tail(m).noalias() = share.z.transpose() * x;
+  }
+
+  Eigen::VectorXd times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x) const {
+    const DilatationShare& share = shares[e];
+    const Eigen::Index m = share.Z.cols();
+    Eigen::VectorXd y = share.Z * x.head(m);
+    y.noalias() += share.C * x.segment(m, m);
+    y.noalias() += share.z * x.tail(m);
+    return y;
+  }
+};
+
+struct SingleFactors {
+  const std::vector<Eigen::MatrixXf>& factors;
+
+  void timesTransposed(std::size_t e, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> y) const {
+    y = (factors[e].transpose() * x.cast<float>()).template cast<double>();
+  }
+
+  Eigen::VectorXd times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x) const {
+    return (factors[e] * x.cast<float>()).template cast<double>();
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y,
+                                      Precision precision) const {
+  if (precision == Precision::Double) {
+    addTimes(x, y, DoubleFactors{shares_});
+    return;
+  }
+  if (!hasSingles_) makeSingles();
+  addTimes(x, y, SingleFactors{singles_});
+}
+
+template <int Dim>
+void DilatationProduct<Dim>::makeSingles() const {
+  singles_.resize(shares_.size());
+  const auto& numbers = projection_.workedOn();
+  parallelAll(numbers.size(), 64, [&](std::size_t i) {
+    const auto e = static_cast<std::size_t>(numbers[i]);
+    const DilatationShare& share = shares_[e];
+    singles_[e].resize(share.Z.rows(), 3 * share.Z.cols());
+    singles_[e] << share.Z.cast<float>(), share.C.cast<float>(), share.z.cast<float>();
+    return true;
+  });
+  hasSingles_ = true;
 }
 
 template <int Dim>

@@ -41,16 +41,28 @@ class DilatationProduct final : public TangentProduct {
   /// z E zᵀ + C zᵀ + z Cᵀ of a span: Dim·n x Dim·n.
   Eigen::MatrixXd ofSpan(std::size_t e) const;
 
-  void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+  /// The shares have changed.
+  void renew() { hasSingles_ = false; }
+
+  void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, Precision precision) const override;
   Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const override;
 
  private:
+  /// f(share of a span in the precision) for its factors.
+  template <class Factors>
+  void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, const Factors& factors) const;
+  void makeSingles() const;
+
   const CouplingGroups& unknowns_;
   const DilatationProjection<Dim>& projection_;
   const std::vector<DilatationShare>& shares_;
   const std::vector<SpanBatches>& batches_;
-  std::vector<Eigen::Index>
-      begins_;  ///< of the functions of each span among those of all that are worked on, and their number
+  /// Of the functions of each span among those of all that are worked on, and their number.
+  std::vector<Eigen::Index> begins_;
+
+  // What `addTimes` makes of the shares when it needs them in single precision.
+  mutable std::vector<Eigen::MatrixXf> singles_;  ///< Z, C and z of each span beside one another
+  mutable bool hasSingles_ = false;               ///< of the present shares
 };
 
 }  // namespace burnish::inline solid

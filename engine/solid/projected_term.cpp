@@ -317,11 +317,13 @@ bool ProjectedTerm<Dim>::evaluateAll(const Eigen::VectorXd& x, Assembly& out) {
     });
   });
   if (wantTangent) {
-    if (product_)
+    if (product_) {
+      product_->renew();
       out.system->addProduct(*product_);
-    else
+    } else {
       (coupling_ ? *coupling_ : coupling_.emplace(this->quadrature_, projection_, shares_))
           .addTo(*out.system);
+    }
   }
   return this->conclude(true, out);
 }

@@ -293,11 +293,11 @@ void SparseSystem::findWhole() {
   wholePlaces_ = std::move(places);  // last, as the memory may end before
 }
 
-void SparseSystem::addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+void SparseSystem::addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y, Precision precision) const {
   const auto leading = Eigen::Map<const Eigen::VectorXi>(free_.data(), numFreeLeading_);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(numUnknowns()), product = all;
   all(leading) = x;
-  for (const TangentProduct* part : products_) part->addTimes(all, product);
+  for (const TangentProduct* part : products_) part->addTimes(all, product, precision);
   y += product(leading.segment(firstEquation_, K_.cols()));
 }
 
@@ -352,7 +352,7 @@ Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments)
   Eigen::VectorXd prescribed = increments;
   prescribed(free_).setZero();
   Eigen::VectorXd ofProducts = Eigen::VectorXd::Zero(numUnknowns());
-  for (const TangentProduct* part : products_) part->addTimes(prescribed, ofProducts);
+  for (const TangentProduct* part : products_) part->addTimes(prescribed, ofProducts, Precision::Double);
   for (const int unknown : division_.own()) product(unknown) += ofProducts(unknown);
   return product;
 }

@@ -61,7 +61,7 @@ class SparseSystem final : public SystemMatrix {
   /// Adds a part of the tangent that is kept as a product, until the tangent is set to zero. It must outlive that.
   void addProduct(const TangentProduct& product) { products_.push_back(&product); }
   bool hasProducts() const override { return !products_.empty(); }
-  void addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y) const override;
+  void addProducts(const Eigen::VectorXd& x, Eigen::VectorXd& y, Precision precision) const override;
 
   /// The free unknowns' matrix, in the order of `freeUnknowns()`.
   const Matrix& whole() override;

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Sparse>
 
+#include "engine/solver/tangent_product.h"
+
 namespace burnish::inline solver {
 
 /// What a matrix
@@ -30,7 +32,8 @@ class SystemMatrix {
 
   /// Adds the products times x, over the rows of K, to y, over those of this rank's columns. Of x as much is needed
   /// as is coupled with these; to be called by all ranks together.
-  virtual void addProducts(const Eigen::VectorXd& /*x*/, Eigen::VectorXd& /*y*/) const {}
+  virtual void addProducts(const Eigen::VectorXd& /*x*/, Eigen::VectorXd& /*y*/,
+                           Precision /*precision*/) const {}
 
   /// All of A, products included; made when it is asked for. Not of one that is divided.
   virtual const Eigen::SparseMatrix<double>& whole() = 0;

@@ -4,6 +4,10 @@
 
 namespace burnish::inline solver {
 
+/// That products are computed in. In single precision they are as linear, and the same every time, but of a tangent that is
+/// off by its rounding: enough to precondition with.
+enum class Precision { Double, Single };
+
 /// A symmetric part of a tangent that couples so many unknowns, by narrow factors, that one multiplies by it
 /// instead of keeping its entries.
 class TangentProduct {
@@ -13,7 +17,7 @@ class TangentProduct {
   /// Adds the product with x to y, both over all unknowns; unknowns that have no part in it may stand behind
   /// the others. Where ranks divide the unknowns, all call it together, each with those of x that are coupled with
   /// its own unknowns, for which y is then complete.
-  virtual void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y) const = 0;
+  virtual void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, Precision precision) const = 0;
 
   /// Its entries, for those who cannot do without: size x size, in the rows and columns with the numbers that
   /// are given for all unknowns, where -1 leaves one out. Of the same pattern every time. For a process alone.

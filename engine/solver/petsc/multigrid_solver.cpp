@@ -42,19 +42,18 @@ constexpr int kSetUp = 8;
 /// were kept after others, 21 were of no use; of 43 after such ones, 2.
 constexpr double kMostFallenForKept = 0.1;
 
-/// Steps of the smoother where one leaves too much; by over-relaxation always.
-constexpr int kMoreSteps = 3, kStepsOfSweeps = 2;
+/// Steps of the smoother where one leaves too much: with entries, and with products; by over-relaxation always.
+constexpr int kMoreSteps = 3, kStepsWithProducts = 5, kStepsOfSweeps = 2;
 
 /// Of a V-cycle with one step of the smoother, where more are tried: iterations of a system, and those that a digit
-/// costs; and what is left of the latter where more steps pay, which take twice the time and more, but hardly any beside
-/// products. Greater reductions have too few digits to tell.
+/// costs; and what is left of the latter where more steps pay, which take twice the time and more. Greater reductions have too few digits to tell.
 constexpr double kTelling = 1e-3;
 constexpr long kFew = 4;
-constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingBesideProducts = 0.75;
+constexpr double kMostPerDigit = 1.5, kPaying = 0.5;
 
 /// Eigenvalues that a smoother's polynomial makes small, over the largest one that is estimated: from the smallest on
 /// that coarser meshes leave to one step, and from those that are left where one does not do.
-constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1;
+constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1, kSmallestWithProducts = 0.05;
 
 /// Searches that go without incomplete factors after a search that has needed to.
 constexpr int kMostWithout = 64;
@@ -237,12 +236,13 @@ class MultigridSolver::Implementation {
         const double shift = smoothers_[k]->shift();
         if (!smoothers_[k]->assign(entries)) hasFactors = false;
         knowsSpectra_ = knowsSpectra_ && smoothers_[k]->shift() == shift;
-        product = smoothers_[k]->product();
+        product = k == 0 && smoothsWithProducts() ? static_cast<Mat>(rough_) : smoothers_[k]->product();
       }
       check(KSPSetOperators(smootherOf(static_cast<PetscInt>(prolongations_.size() - k)), product, entries));
     }
     // The library looks here for whether there is anything new.
-    check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(static_cast<Mat>(exact_))));
+    for (const Mat shell : {static_cast<Mat>(exact_), static_cast<Mat>(rough_)})
+      check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(shell)));
     return hasFactors;
   }
 
@@ -288,8 +288,14 @@ class MultigridSolver::Implementation {
     });
   }
 
-  double smallest() const { return steps() == 1 ? kSmallestOfOneStep : kSmallest; }
+  double smallest() const {
+    return steps() == 1 ? kSmallestOfOneStep : smoothsWithProducts() ? kSmallestWithProducts : kSmallest;
+  }
   int steps() const { return factorises_ ? steps_ : kStepsOfSweeps; }
+
+  /// Whether the finest smoother multiplies by the tangent with its products, which its factors do not know of: by the entries
+  /// alone each iteration is worth little where these are as far from it as near incompressibility.
+  bool smoothsWithProducts() const { return factorises_ && steps_ > 1 && A_->hasProducts(); }
 
   /// For some searches.
   void goOnWithoutFactors() {
@@ -328,20 +334,20 @@ class MultigridSolver::Implementation {
     if (!triesMoreSteps_) return;
     if (steps_ == 1 && iterations > kFew && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
-      perDigitAtFirst_ = paying() * perDigit;
-      setSmoother(kMoreSteps, true);
-    } else if (steps_ > 1 && perDigit > paying() * perDigitOfOne_) {
+      perDigitAtFirst_ = kPaying * perDigit;
+      setSmoother(A_->hasProducts() ? kStepsWithProducts : kMoreSteps, true);
+    } else if (steps_ > 1 && perDigit > kPaying * perDigitOfOne_) {
       triesMoreSteps_ = false;
       setSmoother(1, false);
     }
   }
 
-  double paying() const { return A_->hasProducts() ? kPayingBesideProducts : kPaying; }
-
-  /// Factors that overlap, or do so no longer, have to be made anew.
+  /// Factors that overlap, or do so no longer, have to be made anew; with products or without them the eigenvalues that factors
+  /// leave are others.
   void setSmoother(int steps, bool overlaps) {
+    const bool hadProducts = smoothsWithProducts();
     steps_ = steps;
-    if (!team_.isAlone() && overlaps != overlaps_) {
+    if ((!team_.isAlone() && overlaps != overlaps_) || smoothsWithProducts() != hadProducts) {
       overlaps_ = overlaps;
       forgetCycle();
       return;
@@ -471,9 +477,13 @@ class MultigridSolver::Implementation {
     coarseGroups_.reserve(prolongations_.size());  // smoothers look at them
     goRowByRow(K_);
     check(MatCreateVecs(K_, in_.place(), out_.place()));
-    check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
-                         static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, exact_.place()));
-    check(MatShellSetOperation(exact_, MATOP_MULT, reinterpret_cast<void (*)()>(multiplyByK)));
+    const auto makeShell = [&](petsc::Matrix& shell, PetscErrorCode (*times)(Mat, Vec, Vec)) {
+      check(MatCreateShell(communicator(), static_cast<PetscInt>(n_), static_cast<PetscInt>(n_),
+                           static_cast<PetscInt>(N_), static_cast<PetscInt>(N_), this, shell.place()));
+      check(MatShellSetOperation(shell, MATOP_MULT, reinterpret_cast<void (*)()>(times)));
+    };
+    makeShell(exact_, multiplyByK);
+    makeShell(rough_, multiplyRoughlyByK);
     if (team_.isAlone()) return;
     ghosts_.emplace(K_);
     if (kind_ != TangentKind::Symmetric) return;
@@ -613,13 +623,26 @@ class MultigridSolver::Implementation {
       self.multiplyByEntries(x, y);
     else
       self.multiplyByTransposed(x, y);
-    if (!self.A_->hasProducts()) return 0;
-    Eigen::VectorXd coupled = Eigen::VectorXd::Zero(self.N_), product = Eigen::VectorXd::Zero(self.n_);
-    read(x, [&](auto in) { coupled.segment(self.first_, self.n_) = in; });
-    if (!self.team_.isAlone()) self.fillGhosts(x, coupled);
-    self.A_->addProducts(coupled, product);
-    write(y, [&](auto out) { out += product; });
+    if (self.A_->hasProducts()) self.addProducts(x, y, Precision::Double);
     return 0;
+  }
+
+  /// The same in the precision of the finest smoother.
+  static PetscErrorCode multiplyRoughlyByK(Mat shell, Vec x, Vec y) {
+    void* context = nullptr;
+    check(MatShellGetContext(shell, &context));
+    auto& self = *static_cast<Implementation*>(context);
+    check(MatMult(self.smoothers_.front()->product(), x, y));
+    self.addProducts(x, y, Precision::Single);
+    return 0;
+  }
+
+  void addProducts(Vec x, Vec y, Precision precision) {
+    Eigen::VectorXd coupled = Eigen::VectorXd::Zero(N_), product = Eigen::VectorXd::Zero(n_);
+    read(x, [&](auto in) { coupled.segment(first_, n_) = in; });
+    if (!team_.isAlone()) fillGhosts(x, coupled);
+    A_->addProducts(coupled, product, precision);
+    write(y, [&](auto out) { out += product; });
   }
 
   /// y = A x, A with the rows that the library has; K, if it is symmetric.
@@ -724,6 +747,7 @@ class MultigridSolver::Implementation {
   const SystemMatrix* A_ = nullptr;
   petsc::Matrix K_;                  ///< transposed; without products
   petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
+  petsc::Matrix rough_;              ///< the same, to smooth with
   std::optional<RowGroups> groups_;  ///< of K's diagonal block
 
   // From the finest level on:
