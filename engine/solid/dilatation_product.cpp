@@ -38,10 +38,62 @@ Eigen::MatrixXd DilatationProduct<Dim>::ofSpan(std::size_t e) const {
   return symmetricProduct<Eigen::MatrixXd>(share.z, share.C, share.E);
 }
 
+namespace {
+
+/// Numbers of a vector, which views of Eigen would copy their places for.
+template <class Number>
+void gather(const Eigen::VectorXd& from, const std::vector<int>& places, Eigen::Matrix<Number, -1, 1>& into) {
+  into.resize(std::ssize(places));
+  for (Eigen::Index k = 0; k < into.size(); ++k)
+    into(k) = static_cast<Number>(from(places[static_cast<std::size_t>(k)]));
+}
+
+/// As shares have them.
+struct DoubleFactors {
+  using Number = double;
+  const std::vector<DilatationShare>& shares;
+
+  void timesTransposed(std::size_t e, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> y) const {
+    const DilatationShare& share = shares[e];
+    const Eigen::Index m = share.Z.cols();
+    y.head(m).noalias() = share.Z.transpose() * x;
+    y.segment(m, m).noalias() = share.C.transpose() * x;
+    y.tail(m).noalias() = share.z.transpose() * x;
+  }
+
+  void times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXd& y) const {
+    const DilatationShare& share = shares[e];
+    const Eigen::Index m = share.Z.cols();
+    y.noalias() = share.Z * x.head(m);
+    y.noalias() += share.C * x.segment(m, m);
+    y.noalias() += share.z * x.tail(m);
+  }
+};
+
+struct SingleFactors {
+  using Number = float;
+  const std::vector<Eigen::MatrixXf>& factors;
+
+  void timesTransposed(std::size_t e, const Eigen::VectorXf& x, Eigen::Ref<Eigen::VectorXd> y) const {
+    thread_local Eigen::VectorXf product;
+    product.noalias() = factors[e].transpose() * x;
+    y = product.cast<double>();
+  }
+
+  void times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXf& y) const {
+    thread_local Eigen::VectorXf rounded;
+    rounded = x.cast<float>();
+    y.noalias() = factors[e] * rounded;
+  }
+};
+
+}  // namespace
+
 template <int Dim>
 template <class Factors>
 void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y,
                                       const Factors& factors) const {
+  using Numbers = Eigen::Matrix<typename Factors::Number, Eigen::Dynamic, 1>;
   const auto& spans = projection_.spans();
   const auto& numbers = projection_.workedOn();
   const auto forAll = [&](const auto& f) {
@@ -56,65 +108,39 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
     const Eigen::Index m = begins_[e + 1] - begins_[e];
     return all.segment(3 * begins_[e] + which * m, m);
   };
+  const auto allOf = [&](std::size_t e) {
+    return all.segment(3 * begins_[e], 3 * (begins_[e + 1] - begins_[e]));
+  };
   const auto metBy = [&](std::size_t e) { return met.segment(begins_[e], begins_[e + 1] - begins_[e]); };
 
   forAll([&](std::size_t e) {
-    factors.timesTransposed(e, x(unknowns_[e]),
-                            all.segment(3 * begins_[e], 3 * (begins_[e + 1] - begins_[e])));
+    thread_local Numbers ofSpan;
+    gather(x, unknowns_[e], ofSpan);
+    factors.timesTransposed(e, ofSpan, allOf(e));
   });
   const Eigen::VectorXd change = projection_.sumOverSpans([&](std::size_t e) { return partOf(e, 0); });
-  forAll(
-      [&](std::size_t e) { metBy(e).noalias() = shares_[e].E * change(spans[e].functions) + partOf(e, 1); });
+  forAll([&](std::size_t e) {
+    thread_local Eigen::VectorXd changeOf;
+    gather(change, spans[e].functions, changeOf);
+    metBy(e) = shares_[e].E.lazyProduct(changeOf) + partOf(e, 1);
+    partOf(e, 0) = changeOf;
+  });
   const Eigen::VectorXd answer = projection_.sumOverSpans(metBy);
   parallelBatches(batches_, [&](std::size_t e) {
-    const auto& functions = spans[e].functions;
-    auto ofZ = partOf(e, 0), ofC = partOf(e, 1), own = partOf(e, 2);
-    const Eigen::VectorXd metByItself = shares_[e].E * own + ofC;
-    ofZ = answer(functions);
-    ofC = change(functions) - own;
+    thread_local Eigen::VectorXd metByItself;
+    thread_local Numbers product;
+    auto first = partOf(e, 0), second = partOf(e, 1), own = partOf(e, 2);
+    metByItself = shares_[e].E.lazyProduct(own) + second;
+    second = first - own;
     own = -metByItself;
-    y(unknowns_[e]) += factors.times(e, all.segment(3 * begins_[e], 3 * (begins_[e + 1] - begins_[e])));
+    gather(answer, spans[e].functions, metByItself);
+    first = metByItself;
+    factors.times(e, allOf(e), product);
+    Eigen::Index k = 0;
+    for (const int unknown : unknowns_[e]) y(unknown) += static_cast<double>(product(k++));
     return true;
   });
 }
-
-namespace {
-
-/// As shares have them.
-struct DoubleFactors {
-  const std::vector<DilatationShare>& shares;
-
-  void timesTransposed(std::size_t e, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> y) const {
-    const DilatationShare& share = shares[e];
-    const Eigen::Index m = share.Z.cols();
-    y.head(m).noalias() = share.Z.transpose() * x;
-    y.segment(m, m).noalias() = share.C.transpose() * x;
-    y.tail(m).noalias() = share.z.transpose() * x;
-  }
-
-  Eigen::VectorXd times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x) const {
-    const DilatationShare& share = shares[e];
-    const Eigen::Index m = share.Z.cols();
-    Eigen::VectorXd y = share.Z * x.head(m);
-    y.noalias() += share.C * x.segment(m, m);
-    y.noalias() += share.z * x.tail(m);
-    return y;
-  }
-};
-
-struct SingleFactors {
-  const std::vector<Eigen::MatrixXf>& factors;
-
-  void timesTransposed(std::size_t e, const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> y) const {
-    y = (factors[e].transpose() * x.cast<float>()).template cast<double>();
-  }
-
-  Eigen::VectorXd times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x) const {
-    return (factors[e] * x.cast<float>()).template cast<double>();
-  }
-};
-
-}  // namespace
 
 template <int Dim>
 void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y,

@@ -62,7 +62,9 @@ class DilatationProjection {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(numFunctions_);
     for (const int e : own_) {
       const auto span = static_cast<std::size_t>(e);
-      sum(spans_[span].functions) += share(span);
+      const auto& part = share(span);
+      Eigen::Index k = 0;  // Eigen's views by numbers copy these
+      for (const int function : spans_[span].functions) sum(function) += part(k++);
     }
     team_->sum(asSpan(sum));
     return sum;
