@@ -83,9 +83,8 @@ void shade(vtkActor& actor, vtkPolyData& surface, const LightRange& range) {
       false);
 }
 
-/// A line as the points that are nearer to it than half of its width: a rectangle with round ends, in which the next one
-/// begins. `stroke` is the place along and across it from its begin, `strokeLength` its length, in widths. What VTK adds
-/// where it finds its marks goes through to the fragments.
+/// Of a geometry shader that makes an area of a line; what VTK adds where it finds its marks goes through to the fragments.
+/// With `kPixelsWide` and `kEnd`, which is 0 or half of a width.
 constexpr const char* kStroke = R"(
 //VTK::PositionVC::Dec
 //VTK::PrimID::Dec
@@ -104,11 +103,14 @@ noperspective out vec2 strokeGSOutput;
 flat out float strokeLengthGSOutput;
 
 void main() {
+  vec2 pixel = lineWidthNVC / kPixelsWide;
   vec2 way = (gl_in[1].gl_Position.xy / gl_in[1].gl_Position.w -
-              gl_in[0].gl_Position.xy / gl_in[0].gl_Position.w) / lineWidthNVC;
+              gl_in[0].gl_Position.xy / gl_in[0].gl_Position.w) / pixel;
   float span = length(way);
   vec2 along = span > 1e-6 ? way / span : vec2(1.0, 0.0);
-  vec2 across = vec2(-along.y, along.x);
+  vec2 across = kPixelsWide * vec2(-along.y, along.x);
+  if (kPixelsWide < kThin)
+    across = max(1.0, floor(kPixelsWide + 0.5)) * (abs(way.x) >= 0.9999 * abs(way.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
   for (int j = 0; j < 4; j++) {
     int i = j / 2;
     float end = i == 0 ? -kEnd : kEnd, side = j % 2 == 0 ? 0.5 : -0.5;
@@ -121,10 +123,10 @@ void main() {
     //VTK::DepthPeeling::Impl
     //VTK::Picking::Impl
     //VTK::PositionVC::Impl
-    strokeGSOutput = vec2((i == 0 ? 0.0 : span) + end, side);
-    strokeLengthGSOutput = span;
+    strokeGSOutput = vec2((i == 0 ? 0.0 : span / kPixelsWide) + end, side);
+    strokeLengthGSOutput = span / kPixelsWide;
     vec4 place = gl_in[i].gl_Position;
-    gl_Position = vec4(place.xy + lineWidthNVC * (end * along + side * across) * place.w, place.z, place.w);
+    gl_Position = vec4(place.xy + pixel * (end * kPixelsWide * along + side * across) * place.w, place.z, place.w);
     EmitVertex();
   }
   EndPrimitive();
@@ -134,13 +136,19 @@ void main() {
 /// Flat ones where overlaps would be seen, as of translucent lines, or what lies beyond an end would be wrong.
 enum class LineEnds { Flat, Round };
 
+/// Makes areas of lines, which lie as they do in a mirror; which pixels are at the ends of OpenGL's own depends on where they begin.
+/// Thin ones are whole pixels wide along an axis of the window, so that they are even; others have their width across them
+/// in every direction, and round ends, in which the next line begins.
 void stroke(vtkActor& actor, double width, LineEnds ends) {
+  constexpr double kThin = 3.5;  // pixels of the window
+  const bool isRound = width >= kThin && ends == LineEnds::Round;
   vtkShaderProperty& shaders = *actor.GetShaderProperty();
   actor.GetProperty()->SetLineWidth(static_cast<float>(width));
-  shaders.SetGeometryShaderCode(fmt::format("//VTK::System::Dec\nconst float kEnd = {};{}",
-                                            ends == LineEnds::Round ? "0.5" : "0.0", kStroke)
-                                    .c_str());
-  if (ends == LineEnds::Flat) return;
+  shaders.SetGeometryShaderCode(
+      fmt::format("//VTK::System::Dec\nconst float kPixelsWide = {:.6f}, kThin = {:.1f}, kEnd = {:.1f};{}",
+                  width, kThin, isRound ? 0.5 : 0.0, kStroke)
+          .c_str());
+  if (!isRound) return;
   shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
                                        "//VTK::Normal::Dec\nnoperspective in vec2 strokeGSOutput;\n"
                                        "flat in float strokeLengthGSOutput;\n",

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkActor> contourActor(vtkPolyData& surface, const ColorScale& s
 /// A surface whose points have colours of their own, RGBA, without light.
 vtkSmartPointer<vtkActor> shadowActor(vtkPolyData& surface);
 
-/// Lines, opaque ones with round ends and corners. width: in pixels of the window.
+/// Lines; opaque ones that are not thin have round ends and corners. width: in pixels of the window.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, double width, double opacity);
 
 /// Lines whose colours are looked up as those of `contourActor`.
