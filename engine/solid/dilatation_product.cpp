@@ -48,6 +48,12 @@ void gather(const Eigen::VectorXd& from, const std::vector<int>& places, Eigen::
     into(k) = static_cast<Number>(from(places[static_cast<std::size_t>(k)]));
 }
 
+/// y += A x, for matrices that are too small for Eigen's product.
+template <class X, class Y>
+void addSmallProduct(const Eigen::MatrixXd& A, const X& x, Y&& y) {
+  for (Eigen::Index j = 0; j < A.cols(); ++j) y += x(j) * A.col(j);
+}
+
 /// As shares have them.
 struct DoubleFactors {
   using Number = double;
@@ -122,19 +128,22 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
   forAll([&](std::size_t e) {
     thread_local Eigen::VectorXd changeOf;
     gather(change, spans[e].functions, changeOf);
-    metBy(e) = shares_[e].E.lazyProduct(changeOf) + partOf(e, 1);
+    metBy(e) = partOf(e, 1);
+    addSmallProduct(shares_[e].E, changeOf, metBy(e));
     partOf(e, 0) = changeOf;
   });
   const Eigen::VectorXd answer = projection_.sumOverSpans(metBy);
   parallelBatches(batches_, [&](std::size_t e) {
-    thread_local Eigen::VectorXd metByItself;
+    thread_local Eigen::VectorXd answerOf, metByItself;
     thread_local Numbers product;
-    auto first = partOf(e, 0), second = partOf(e, 1), own = partOf(e, 2);
-    metByItself = shares_[e].E.lazyProduct(own) + second;
-    second = first - own;
-    own = -metByItself;
-    gather(answer, spans[e].functions, metByItself);
-    first = metByItself;
+    auto first = partOf(e, 0), second = partOf(e, 1),
+         third = partOf(e, 2);  // of change, C and z; then for Z, C and z
+    metByItself = second;
+    addSmallProduct(shares_[e].E, third, metByItself);
+    second = first - third;
+    third = -metByItself;
+    gather(answer, spans[e].functions, answerOf);
+    first = answerOf;
     factors.times(e, allOf(e), product);
     Eigen::Index k = 0;
     for (const int unknown : unknowns_[e]) y(unknown) += static_cast<double>(product(k++));
