@@ -427,7 +427,7 @@ TEST_F(SpaceImage, OpenToolIsHatchedOnItsSide) {
   };
   EXPECT_GT(inkAlong({0.0, -0.05}, {3.0, -0.05}), 10);
   EXPECT_EQ(inkAlong({-0.15, 0.2}, {-0.15, 1.3}), 0);
-  EXPECT_GT(inkAlong({-0.25, 0.2}, {-0.25, 1.3}), 5);
+  EXPECT_GT(inkAlong({-0.235, 0.2}, {-0.235, 1.3}), 5);
 }
 
 TEST_F(SpaceImage, DieIsHatchedAroundTheBody) {
