@@ -76,20 +76,16 @@ struct DoubleFactors {
   }
 };
 
-struct SingleFactors {
+struct RoughFactors {
   using Number = float;
-  const std::vector<Eigen::MatrixXf>& factors;
+  const std::vector<RoughFactor>& factors;
 
   void timesTransposed(std::size_t e, const Eigen::VectorXf& x, Eigen::Ref<Eigen::VectorXd> y) const {
-    thread_local Eigen::VectorXf product;
-    product.noalias() = factors[e].transpose() * x;
-    y = product.cast<double>();
+    factors[e].timesTransposed(x, y);
   }
 
   void times(std::size_t e, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXf& y) const {
-    thread_local Eigen::VectorXf rounded;
-    rounded = x.cast<float>();
-    y.noalias() = factors[e] * rounded;
+    factors[e].times(x, y);
   }
 };
 
@@ -154,26 +150,25 @@ void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd&
 template <int Dim>
 void DilatationProduct<Dim>::addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y,
                                       Precision precision) const {
-  if (precision == Precision::Double) {
+  if (precision == Precision::Full) {
     addTimes(x, y, DoubleFactors{shares_});
     return;
   }
-  if (!hasSingles_) makeSingles();
-  addTimes(x, y, SingleFactors{singles_});
+  if (!hasRough_) makeRough();
+  addTimes(x, y, RoughFactors{rough_});
 }
 
 template <int Dim>
-void DilatationProduct<Dim>::makeSingles() const {
-  singles_.resize(shares_.size());
+void DilatationProduct<Dim>::makeRough() const {
+  rough_.resize(shares_.size());
   const auto& numbers = projection_.workedOn();
   parallelAll(numbers.size(), 64, [&](std::size_t i) {
     const auto e = static_cast<std::size_t>(numbers[i]);
     const DilatationShare& share = shares_[e];
-    singles_[e].resize(share.Z.rows(), 3 * share.Z.cols());
-    singles_[e] << share.Z.cast<float>(), share.C.cast<float>(), share.z.cast<float>();
+    rough_[e].assign({&share.Z, &share.C, &share.z});
     return true;
   });
-  hasSingles_ = true;
+  hasRough_ = true;
 }
 
 template <int Dim>

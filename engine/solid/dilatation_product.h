@@ -4,6 +4,7 @@
 
 #include "engine/solid/dilatation_projection.h"
 #include "engine/solid/parallel_spans.h"
+#include "engine/solid/rough_factor.h"
 #include "engine/solver/coupling_groups.h"
 #include "engine/solver/tangent_product.h"
 
@@ -42,7 +43,7 @@ class DilatationProduct final : public TangentProduct {
   Eigen::MatrixXd ofSpan(std::size_t e) const;
 
   /// The shares have changed.
-  void renew() { hasSingles_ = false; }
+  void renew() { hasRough_ = false; }
 
   void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, Precision precision) const override;
   Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const override;
@@ -51,7 +52,7 @@ class DilatationProduct final : public TangentProduct {
   /// f(share of a span in the precision) for its factors.
   template <class Factors>
   void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, const Factors& factors) const;
-  void makeSingles() const;
+  void makeRough() const;
 
   const CouplingGroups& unknowns_;
   const DilatationProjection<Dim>& projection_;
@@ -60,9 +61,9 @@ class DilatationProduct final : public TangentProduct {
   /// Of the functions of each span among those of all that are worked on, and their number.
   std::vector<Eigen::Index> begins_;
 
-  // What `addTimes` makes of the shares when it needs them in single precision.
-  mutable std::vector<Eigen::MatrixXf> singles_;  ///< Z, C and z of each span beside one another
-  mutable bool hasSingles_ = false;               ///< of the present shares
+  // What `addTimes` makes of the shares when it needs them roughly.
+  mutable std::vector<RoughFactor> rough_;  ///< Z, C and z of each span beside one another
+  mutable bool hasRough_ = false;           ///< of the present shares
 };
 
 }  // namespace burnish::inline solid

@@ -352,7 +352,7 @@ Eigen::VectorXd SparseSystem::timesPrescribed(const Eigen::VectorXd& increments)
   Eigen::VectorXd prescribed = increments;
   prescribed(free_).setZero();
   Eigen::VectorXd ofProducts = Eigen::VectorXd::Zero(numUnknowns());
-  for (const TangentProduct* part : products_) part->addTimes(prescribed, ofProducts, Precision::Double);
+  for (const TangentProduct* part : products_) part->addTimes(prescribed, ofProducts, Precision::Full);
   for (const int unknown : division_.own()) product(unknown) += ofProducts(unknown);
   return product;
 }

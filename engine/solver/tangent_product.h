@@ -4,9 +4,9 @@
 
 namespace burnish::inline solver {
 
-/// That products are computed in. In single precision they are as linear, and the same every time, but of a tangent that is
-/// off by its rounding: enough to precondition with.
-enum class Precision { Double, Single };
+/// That products are computed in. Rough ones are as linear, and the same every time, but of a tangent that is off by a few
+/// hundred-thousandths of its factors: enough to precondition with.
+enum class Precision { Full, Rough };
 
 /// A symmetric part of a tangent that couples so many unknowns, by narrow factors, that one multiplies by it
 /// instead of keeping its entries.

@@ -623,7 +623,7 @@ class MultigridSolver::Implementation {
       self.multiplyByEntries(x, y);
     else
       self.multiplyByTransposed(x, y);
-    if (self.A_->hasProducts()) self.addProducts(x, y, Precision::Double);
+    if (self.A_->hasProducts()) self.addProducts(x, y, Precision::Full);
     return 0;
   }
 
@@ -633,7 +633,7 @@ class MultigridSolver::Implementation {
     check(MatShellGetContext(shell, &context));
     auto& self = *static_cast<Implementation*>(context);
     check(MatMult(self.smoothers_.front()->product(), x, y));
-    self.addProducts(x, y, Precision::Single);
+    self.addProducts(x, y, Precision::Rough);
     return 0;
   }
 

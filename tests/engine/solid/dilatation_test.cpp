@@ -189,7 +189,7 @@ void expectTheSameTangentByProducts(const Body<Dim>& body) {
   const Eigen::VectorXd direction = test::randomState(expected.cols(), 1.0, 10);
   Eigen::VectorXd product = products.leading() * direction;
   EXPECT_GT((product - expected * direction).norm(), 1e-3 * scale);  // the entries alone are another matrix
-  products.addProducts(direction, product, Precision::Double);
+  products.addProducts(direction, product, Precision::Full);
   EXPECT_LT((product - expected * direction).norm(), 1e-12 * scale);
   const Eigen::VectorXd increments = test::randomState(x.size(), 1.0, 11);
   const std::vector<int>& free = products.freeUnknowns();
@@ -217,7 +217,7 @@ TEST(DilatationProduct, AddsNothingWhereOneSpanHasTheWholeBody) {
   Assembly out{force, &system, 0};
   ASSERT_TRUE(term->evaluate(0.0, x, out));
   ASSERT_TRUE(system.hasProducts());
-  system.addProducts(x, product, Precision::Double);
+  system.addProducts(x, product, Precision::Full);
   EXPECT_LT(product.norm(), 1e-13 * (system.leading() * x).norm());
 }
 

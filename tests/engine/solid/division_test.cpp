@@ -212,7 +212,7 @@ TEST_P(DividedAmong, ProjectedVolumeChangesAreThoseOfOne) {
   const Eigen::Index n = one.system.leading().cols();
   const Eigen::VectorXd direction = test::randomState(static_cast<int>(n), 1.0, 5);
   Eigen::VectorXd product = Eigen::VectorXd::Zero(n);
-  one.system.addProducts(direction, product, Precision::Double);
+  one.system.addProducts(direction, product, Precision::Full);
   const Eigen::VectorXd prescribed = one.system.timesPrescribed(sizes);
   const double entries = Eigen::MatrixXd(one.system.leading()).norm();
 
@@ -224,7 +224,7 @@ TEST_P(DividedAmong, ProjectedVolumeChangesAreThoseOfOne) {
     EXPECT_EQ(part.term->summary().minJ, one.term->summary().minJ);
     const Division division = part.system.leadingDivision();
     Eigen::VectorXd own = Eigen::VectorXd::Zero(std::ssize(division.own()));
-    part.system.addProducts(direction(division.order), own, Precision::Double);
+    part.system.addProducts(direction(division.order), own, Precision::Full);
     const Eigen::VectorXd ofOne = product(std::vector<int>(division.own().begin(), division.own().end()));
     EXPECT_LT((own - ofOne).norm(), 1e-13 * entries);
     EXPECT_GT(ofOne.norm(), 1e-3 * entries) << "else nothing was compared";
