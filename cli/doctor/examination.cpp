@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <sstream>
 #include <system_error>
@@ -43,11 +44,19 @@ std::string processorText() {
          (program.empty() ? "" : ", which compute with AVX2: " + program);
 }
 
+/// For those who ask, as commands that compute or draw do.
+bool hasLargePages() {
+  std::ifstream choice("/sys/kernel/mm/transparent_hugepage/enabled");  // always [madvise] never
+  std::string words;
+  return std::getline(choice, words) && words.find("[never]") == std::string::npos;
+}
+
 std::string memoryText() {
   const auto page = static_cast<double>(::sysconf(_SC_PAGESIZE));
   std::string text =
       fmt::format("{} of {} free", gigabytes(page * static_cast<double>(::sysconf(_SC_AVPHYS_PAGES))),
                   gigabytes(page * static_cast<double>(::sysconf(_SC_PHYS_PAGES))));
+  text += hasLargePages() ? ", in large pages" : ", in small pages";
   if (memoryIsLimited())
     text += fmt::format(", of which the program may take {} (ulimit)",
                         gigabytes(static_cast<double>(freeMemory())));

@@ -9,6 +9,7 @@
 
 #include "engine/results/summary_file.h"
 #include "tests/cli/shell_test.h"
+#include "tests/engine/scene/scene_samples.h"
 
 /// What helps one to begin: `doctor` and `init`. BURNISH_COMMAND is the program.
 namespace burnish {
@@ -67,6 +68,29 @@ TEST_F(Doctor, FindsWhatIsThere) {
                 .asString()
                 .substr(17),
             "kernels Haswell");
+}
+
+TEST_F(Doctor, TellsWhichPagesMemoryHas) {
+  EXPECT_THAT(named(findings(burnish("doctor --json")), "memory")["found"].asString(),
+              testing::ContainsRegex("in (large|small) pages"));
+}
+
+/// Those that compute or draw have their memory in large pages, unless whoever calls them has set the library's tunables.
+TEST_F(Beginning, OfCommandsThatTakeMuchMemorySetsItsPages) {
+  std::ofstream(dir / "scene.yaml") << samples::replaced(samples::ironing, "count: 10}", "count: 100000}");
+  const auto tunables = [&](const std::string& environment, const std::string& arguments) {
+    return shell(dir, "env " + environment + " " BURNISH_COMMAND " " + arguments +
+                          " > /dev/null & process=$!; "
+                          "for k in 1 2 3 4 5 6 7 8 9 10; do sleep 0.1; "
+                          "tr '\\0' '\\n' < /proc/$process/environ | grep GLIBC_TUNABLES && break; done; "
+                          "kill -KILL $process; wait $process")
+        .out;
+  };
+  EXPECT_EQ(tunables("-u GLIBC_TUNABLES", "run scene.yaml -o a --quiet"),
+            "GLIBC_TUNABLES=glibc.malloc.hugetlb=1\n");
+  EXPECT_EQ(tunables("GLIBC_TUNABLES=glibc.malloc.hugetlb=0", "run scene.yaml -o b --quiet"),
+            "GLIBC_TUNABLES=glibc.malloc.hugetlb=0\n");
+  EXPECT_EQ(tunables("-u GLIBC_TUNABLES", "watch a"), "");
 }
 
 TEST_F(Doctor, TellsWhatToDoAboutTheRest) {

@@ -191,6 +191,16 @@ void expectTheSameTangentByProducts(const Body<Dim>& body) {
   EXPECT_GT((product - expected * direction).norm(), 1e-3 * scale);  // the entries alone are another matrix
   products.addProducts(direction, product, Precision::Full);
   EXPECT_LT((product - expected * direction).norm(), 1e-12 * scale);
+  const auto roughly = [&](const Eigen::VectorXd& of) {
+    Eigen::VectorXd result = products.leading() * of;
+    products.addProducts(of, result, Precision::Rough);
+    return result;
+  };
+  const Eigen::VectorXd rough = roughly(direction);
+  EXPECT_LT((rough - product).norm(), 1e-4 * product.norm());
+  EXPECT_LT((roughly(2.0 * direction) - 2.0 * rough).norm(), 1e-6 * product.norm());
+  const Eigen::VectorXd other = test::randomState(expected.cols(), 1.0, 12);
+  EXPECT_LT(std::abs(other.dot(rough) - direction.dot(roughly(other))), 1e-5 * other.norm() * product.norm());
   const Eigen::VectorXd increments = test::randomState(x.size(), 1.0, 11);
   const std::vector<int>& free = products.freeUnknowns();
   EXPECT_LT((products.timesPrescribed(increments) - entries.timesPrescribed(increments))(free).norm(),
