@@ -1,4 +1,4 @@
-#include <fcntl.h>
+#include <sys/auxv.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -62,15 +62,25 @@ void startAgain(const std::array<const char*, Count>& assignments, char** argv, 
   if (length > 0) ::execve(program.data(), argv, variables.data());
 }
 
+// Sanitizers bring their own memory, and cannot watch what comes before them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kHasOwnMemory = true;  // sanitizers bring theirs, and cannot watch what comes before them
+#define BURNISH_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define BURNISH_SANITIZED
+#endif
+#endif
+#ifdef BURNISH_SANITIZED
+constexpr bool kHasOwnMemory = true;
 #else
 constexpr bool kHasOwnMemory = false;
 #endif
 
-/// Whoever has set tunables has set them for a reason.
+/// Whoever has set tunables has set them for a reason. The system does not hand them to programs with other rights than their
+/// caller's, and one that was started by the dynamic loader's name cannot start itself.
 void takeLargePages(char** argv, char** environment) {
-  if (argv[0] == nullptr || argv[1] == nullptr) return;
+  if (argv[0] == nullptr || argv[1] == nullptr || ::getauxval(AT_SECURE) != 0 || ::getauxval(AT_BASE) == 0)
+    return;
   bool takesMuch = false;
   for (const char* command : kWithMuchMemory) takesMuch = takesMuch || std::strcmp(argv[1], command) == 0;
   if (!takesMuch) return;

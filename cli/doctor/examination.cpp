@@ -44,11 +44,15 @@ std::string processorText() {
          (program.empty() ? "" : ", which compute with AVX2: " + program);
 }
 
-/// For those who ask, as commands that compute or draw do.
+/// Whether commands that compute or draw have them (prepared_start.cpp).
 bool hasLargePages() {
   std::ifstream choice("/sys/kernel/mm/transparent_hugepage/enabled");  // always [madvise] never
   std::string words;
-  return std::getline(choice, words) && words.find("[never]") == std::string::npos;
+  std::getline(choice, words);
+  if (words.find("[madvise]") == std::string::npos) return words.find("[always]") != std::string::npos;
+  const char* tunables = std::getenv("GLIBC_TUNABLES");
+  return tunables == nullptr ? !memoryIsLimited()
+                             : std::string(tunables).find("glibc.malloc.hugetlb=1") != std::string::npos;
 }
 
 std::string memoryText() {

@@ -49,7 +49,7 @@ class DilatationProduct final : public TangentProduct {
   Eigen::SparseMatrix<double> entries(const std::vector<int>& numbers, int size) const override;
 
  private:
-  /// f(share of a span in the precision) for its factors.
+  /// factors: of the spans, in a precision; see `DoubleFactors` in the source.
   template <class Factors>
   void addTimes(const Eigen::VectorXd& x, Eigen::VectorXd& y, const Factors& factors) const;
   void makeRough() const;

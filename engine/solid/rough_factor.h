@@ -10,13 +10,13 @@ namespace burnish::inline solid {
 /// where one multiplies by many of them, most of the time goes into fetching them, and this is a quarter of doubles.
 class RoughFactor {
  public:
-  /// Matrices with one number of rows, beside one another.
+  /// Matrices of finite numbers with one number of rows, at least one, beside one another.
   void assign(std::initializer_list<const Eigen::MatrixXd*> matrices);
 
-  /// y = Aᵀ x
+  /// y = Aᵀ x. x: one number for each row; y: for each column.
   void timesTransposed(const Eigen::VectorXf& x, Eigen::Ref<Eigen::VectorXd> y) const;
 
-  /// y = A x, with some zeros below.
+  /// y = A x. x: one number for each column; y becomes the numbers of the rows, and some zeros.
   void times(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::VectorXf& y) const;
 
  private:

@@ -31,7 +31,7 @@ class SystemMatrix {
   virtual bool hasProducts() const { return false; }
 
   /// Adds the products times x, over the rows of K, to y, over those of this rank's columns. Of x as much is needed
-  /// as is coupled with these; to be called by all ranks together.
+  /// as is coupled with these; to be called by all ranks together, with one precision.
   virtual void addProducts(const Eigen::VectorXd& /*x*/, Eigen::VectorXd& /*y*/,
                            Precision /*precision*/) const {}
 

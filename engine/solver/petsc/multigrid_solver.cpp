@@ -49,7 +49,7 @@ constexpr int kMoreSteps = 3, kStepsWithProducts = 5, kStepsOfSweeps = 2;
 /// costs; and what is left of the latter where more steps pay, which take twice the time and more. Greater reductions have too few digits to tell.
 constexpr double kTelling = 1e-3;
 constexpr long kFew = 4;
-constexpr double kMostPerDigit = 1.5, kPaying = 0.5;
+constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingWithProducts = 0.4;
 
 /// Eigenvalues that a smoother's polynomial makes small, over the largest one that is estimated: from the smallest on
 /// that coarser meshes leave to one step, and from those that are left where one does not do.
@@ -145,11 +145,17 @@ class MultigridSolver::Implementation {
                             ? solveWithCycle(b, accuracy)
                             : Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
-    if (!x.allFinite() && factorises_ && !team_.isAlone() && !overlaps_) {
-      setSmoother(steps_, true);
+    const bool canOverlap = !team_.isAlone() && !overlaps_,
+               canTakeProducts = A_->hasProducts() && steps_ == 1 && triesMoreSteps_;
+    if (!x.allFinite() && factorises_ && (canOverlap || canTakeProducts)) {
+      setSmoother(canTakeProducts ? kStepsWithProducts : steps_, true);
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
     if (!x.allFinite() && factorises_) {
+      if (smoothsWithProducts()) {  // they will not be tried again
+        steps_ = 1;
+        triesMoreSteps_ = false;
+      }
       goOnWithoutFactors();  // they are of no use where shear is soft beside compression
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
@@ -158,8 +164,9 @@ class MultigridSolver::Implementation {
     return x;
   }
 
+  /// Of the last V-cycle.
   Eigen::Index nonZeros() {
-    if (!isSetUp_) return 0;
+    if (cycle_ == nullptr) return lastNonZeros_;
     Eigen::Index sum = 0;
     for (std::size_t level = 0; level <= prolongations_.size(); ++level) {
       MatInfo info;
@@ -310,6 +317,7 @@ class MultigridSolver::Implementation {
   }
 
   void forgetCycle() {
+    lastNonZeros_ = nonZeros();
     cycle_.reset();
     isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
@@ -334,13 +342,15 @@ class MultigridSolver::Implementation {
     if (!triesMoreSteps_) return;
     if (steps_ == 1 && iterations > kFew && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
-      perDigitAtFirst_ = kPaying * perDigit;
+      perDigitAtFirst_ = paying() * perDigit;
       setSmoother(A_->hasProducts() ? kStepsWithProducts : kMoreSteps, true);
-    } else if (steps_ > 1 && perDigit > kPaying * perDigitOfOne_) {
+    } else if (steps_ > 1 && perDigitOfOne_ > 0.0 && perDigit > paying() * perDigitOfOne_) {
       triesMoreSteps_ = false;
       setSmoother(1, false);
     }
   }
+
+  double paying() const { return A_->hasProducts() ? kPayingWithProducts : kPaying; }
 
   /// Factors that overlap, or do so no longer, have to be made anew; with products or without them the eigenvalues that factors
   /// leave are others.
@@ -627,7 +637,8 @@ class MultigridSolver::Implementation {
     return 0;
   }
 
-  /// The same in the precision of the finest smoother.
+  /// The same for the finest smoother, roughly: with the entries that it has, which while a V-cycle is kept are those of an
+  /// earlier matrix, and transposed where K is not symmetric.
   static PetscErrorCode multiplyRoughlyByK(Mat shell, Vec x, Vec y) {
     void* context = nullptr;
     check(MatShellGetContext(shell, &context));
@@ -747,7 +758,7 @@ class MultigridSolver::Implementation {
   const SystemMatrix* A_ = nullptr;
   petsc::Matrix K_;                  ///< transposed; without products
   petsc::Matrix exact_;              ///< K as it is, with products, to multiply by
-  petsc::Matrix rough_;              ///< the same, to smooth with
+  petsc::Matrix rough_;              ///< to smooth with, see `multiplyRoughlyByK`
   std::optional<RowGroups> groups_;  ///< of K's diagonal block
 
   // From the finest level on:
@@ -770,6 +781,7 @@ class MultigridSolver::Implementation {
   bool overlaps_ = false;       ///< those of several ranks
   double perDigitOfOne_ = 0.0;  ///< iterations with one step, where more are taken
   bool triesMoreSteps_ = true;
+  Eigen::Index lastNonZeros_ = 0;  ///< of a V-cycle that has been given up
   bool isIndefinite_ = false;
   bool isSetUp_ = false;         ///< the V-cycle
   bool knowsSpectra_ = false;    ///< of its smoothers, from an earlier matrix of the search

@@ -84,7 +84,7 @@ void shade(vtkActor& actor, vtkPolyData& surface, const LightRange& range) {
 }
 
 /// Of a geometry shader that makes an area of a line; what VTK adds where it finds its marks goes through to the fragments.
-/// With `kPixelsWide` and `kEnd`, which is 0 or half of a width.
+/// With `kPixelsWide`, the width below which lines are thin, `kThin`, and `kEnd`, which is 0 or half of a width.
 constexpr const char* kStroke = R"(
 //VTK::PositionVC::Dec
 //VTK::PrimID::Dec
@@ -107,7 +107,8 @@ void main() {
   vec2 way = (gl_in[1].gl_Position.xy / gl_in[1].gl_Position.w -
               gl_in[0].gl_Position.xy / gl_in[0].gl_Position.w) / pixel;
   float span = length(way);
-  vec2 along = span > 1e-6 ? way / span : vec2(1.0, 0.0);
+  if (span <= 1e-6) return;
+  vec2 along = way / span;
   vec2 across = kPixelsWide * vec2(-along.y, along.x);
   if (kPixelsWide < kThin)
     across = max(1.0, floor(kPixelsWide + 0.5)) * (abs(way.x) >= 0.9999 * abs(way.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0));
@@ -133,7 +134,8 @@ void main() {
 }
 )";
 
-/// Flat ones where overlaps would be seen, as of translucent lines, or what lies beyond an end would be wrong.
+/// Flat ones where overlaps would be seen, as of translucent lines (at bends a little of the lines overlaps anyway), or what
+/// lies beyond an end would be wrong.
 enum class LineEnds { Flat, Round };
 
 /// Makes areas of lines, which lie as they do in a mirror; which pixels are at the ends of OpenGL's own depends on where they begin.

@@ -427,6 +427,7 @@ TEST_F(SpaceImage, OpenToolIsHatchedOnItsSide) {
   };
   EXPECT_GT(inkAlong({0.0, -0.05}, {3.0, -0.05}), 10);
   EXPECT_EQ(inkAlong({-0.15, 0.2}, {-0.15, 1.3}), 0);
+  // A pixel and a half from where the strokes end: they are four pixels long.
   EXPECT_GT(inkAlong({-0.235, 0.2}, {-0.235, 1.3}), 5);
 }
 
