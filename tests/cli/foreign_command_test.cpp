@@ -393,6 +393,16 @@ TEST_F(ForeignCommand, ShrunkCellsLeaveTheOutlineOfTheirNeighbours) {
   const std::string whole = outlineOf("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\n");
   EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 3\n4 1 2 2 1\nCELL_TYPES 2\n9\n9\n"), whole);
   EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 3\n4 1 2 4 5\nCELL_TYPES 2\n9\n9\n"), whole);
+  // Triangles that are written as quadrilaterals have no edges between them.
+  EXPECT_EQ(outlineOf("CELLS 2 10\n4 0 1 2 2\n4 0 0 2 3\nCELL_TYPES 2\n9\n9\n"),
+            outlineOf("CELLS 2 8\n3 0 1 2\n3 0 2 3\nCELL_TYPES 2\n5\n5\n"));
+}
+
+TEST_F(ForeignCommand, NormalsAreDrawnWhenTheyAreAskedForAlone) {
+  ASSERT_EQ(burnish("render " + sample("assimp.glb") + " -o plain.svg").code, 0);
+  ASSERT_EQ(burnish("render " + sample("assimp.glb") + " --field NORMAL.x -o normal.svg").code, 0);
+  EXPECT_THAT(readText(dir_ / "plain.svg"), Not(HasSubstr("NORMAL")));
+  EXPECT_THAT(readText(dir_ / "normal.svg"), HasSubstr("NORMAL"));
 }
 
 /// A cube whose corners are in the order of an image in a mirror, and one with a triangle on half of its face: both are

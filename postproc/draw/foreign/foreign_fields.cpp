@@ -218,15 +218,26 @@ std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks,
   return blocks;
 }
 
+namespace {
+
+/// What programs write for the sake of light and textures.
+bool isOfShape(const ForeignField& field) {
+  const std::string name = inLowerCase(field.name);
+  return name == "normal" || name == "normals" || name == "tcoords" || name.starts_with("texcoord") ||
+         name.starts_with("texture");
+}
+
+}  // namespace
+
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields) {
   for (const char* usual : {"plastic_strain", "peeq", "von_mises", "mises", "s_mises", "displacement", "u"})
     for (const ForeignField& field : fields)
       if (inLowerCase(field.name) == usual && (field.components.empty() || field.isVector()))
         return field.name;
-  if (fields.empty()) return "";
-  const ForeignField& first = fields.front();
-  return first.components.empty() || first.isVector() ? first.name
-                                                      : first.name + "." + first.components.front();
+  const auto first = std::ranges::find_if_not(fields, isOfShape);
+  if (first == fields.end()) return "";
+  return first->components.empty() || first->isVector() ? first->name
+                                                        : first->name + "." + first->components.front();
 }
 
 const ForeignField* displacementAmong(const std::vector<ForeignField>& fields) {

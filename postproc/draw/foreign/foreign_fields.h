@@ -61,7 +61,8 @@ FieldChoice wordsOf(const ForeignChoice& choice);
 std::vector<ForeignBlock> chosenBlocks(std::vector<ForeignBlock> blocks,
                                        const std::vector<std::string>& names);
 
-/// Where one looks first: plastic strain, von Mises stress, displacement, else the first field; empty without any.
+/// Where one looks first: plastic strain, von Mises stress, displacement, else the first field but normals and texture
+/// coordinates; empty without any.
 std::string foreignFieldToShow(const std::vector<ForeignField>& fields);
 
 /// The vector of displacements by its usual names, at points, or null.

@@ -347,15 +347,28 @@ bool isOnALine(vtkPolyData& faces, vtkIdList& corners) {
   return (from - along * (along.transpose() * from)).colwise().norm().maxCoeff() <= kFlat * length;
 }
 
-/// Without faces that have shrunk to a line or a point: an edge that one of them has with its neighbour would be no border.
+/// Of corners of which one follows another each once, as of triangles that are written as quadrilaterals.
+std::vector<vtkIdType> withoutRepeated(vtkIdList& corners) {
+  std::vector<vtkIdType> different(corners.begin(), corners.end());
+  const auto repeated = std::ranges::unique(different);
+  different.erase(repeated.begin(), repeated.end());
+  while (different.size() > 1 && different.front() == different.back()) different.pop_back();
+  return different;
+}
+
+/// Without faces that have shrunk to a line or a point, and without sides of others that have: an edge that one of them has
+/// with its neighbour would be no border.
 vtkSmartPointer<vtkPolyData> withoutShrunk(vtkPolyData& faces) {
   vtkNew<vtkIdList> corners;
   std::vector<vtkIdType> kept;
+  bool isAsBefore = true;
   for (vtkIdType face = 0; face < faces.GetNumberOfPolys(); ++face) {
     faces.GetPolys()->GetCellAtId(face, corners);
-    if (!isOnALine(faces, *corners)) kept.push_back(face);
+    const bool isKept = !isOnALine(faces, *corners);
+    if (isKept) kept.push_back(face);
+    isAsBefore = isAsBefore && isKept && std::ssize(withoutRepeated(*corners)) == corners->GetNumberOfIds();
   }
-  if (std::ssize(kept) == faces.GetNumberOfPolys()) return &faces;
+  if (isAsBefore) return &faces;
   const auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(faces.GetPoints());
   result->GetPointData()->ShallowCopy(faces.GetPointData());
@@ -365,7 +378,9 @@ vtkSmartPointer<vtkPolyData> withoutShrunk(vtkPolyData& faces) {
   vtkNew<vtkCellArray> polygons;
   for (const vtkIdType face : kept) {
     faces.GetPolys()->GetCellAtId(face, corners);
-    result->GetCellData()->CopyData(faces.GetCellData(), others + face, polygons->InsertNextCell(corners));
+    const std::vector<vtkIdType> different = withoutRepeated(*corners);
+    result->GetCellData()->CopyData(faces.GetCellData(), others + face,
+                                    polygons->InsertNextCell(std::ssize(different), different.data()));
   }
   result->SetPolys(polygons);
   return result;
