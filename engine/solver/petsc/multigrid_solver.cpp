@@ -145,10 +145,8 @@ class MultigridSolver::Implementation {
                             ? solveWithCycle(b, accuracy)
                             : Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN());
     if (!x.allFinite() && wasNear && setUpCycle()) x = solveWithCycle(b, accuracy);
-    const bool canOverlap = !team_.isAlone() && !overlaps_,
-               canTakeProducts = A_->hasProducts() && steps_ == 1 && triesMoreSteps_;
-    if (!x.allFinite() && factorises_ && (canOverlap || canTakeProducts)) {
-      setSmoother(canTakeProducts ? kStepsWithProducts : steps_, true);
+    if (!x.allFinite() && factorises_ && !team_.isAlone() && !overlaps_) {
+      setSmoother(steps_, true);
       if (setUpCycle()) x = solveWithCycle(b, accuracy);
     }
     if (!x.allFinite() && factorises_) {
