@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "engine/core/sanitized.h"
+
 /// What has to be set before the libraries start, which read it then: the program starts itself again with it.
 ///
 /// Where the address space or the data are limited (ulimit -v, -d): OpenBLAS starts threads when it is loaded, each with 136 MB, and
@@ -62,20 +64,6 @@ void startAgain(const std::array<const char*, Count>& assignments, char** argv, 
   if (length > 0) ::execve(program.data(), argv, variables.data());
 }
 
-// Sanitizers bring their own memory, and cannot watch what comes before them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BURNISH_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define BURNISH_SANITIZED
-#endif
-#endif
-#ifdef BURNISH_SANITIZED
-constexpr bool kHasOwnMemory = true;
-#else
-constexpr bool kHasOwnMemory = false;
-#endif
-
 /// Whoever has set tunables has set them for a reason. The system does not hand them to programs with other rights than their
 /// caller's, and one that was started by the dynamic loader's name cannot start itself.
 void takeLargePages(char** argv, char** environment) {
@@ -95,7 +83,9 @@ __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, c
   struct ::rlimit space = {}, data = {};
   if (::getrlimit(RLIMIT_AS, &space) != 0 || ::getrlimit(RLIMIT_DATA, &data) != 0) return;
   if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY)
-    return kHasOwnMemory ? void() : takeLargePages(argv, environment);
+    return burnish::kIsSanitized
+               ? void()
+               : takeLargePages(argv, environment);  // they cannot watch what comes before them
   if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
         "burnish: the memory that the program may use is below what it takes to start, " BURNISH_TEXT_OF(

@@ -20,6 +20,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/interruption.h"
+#include "engine/core/sanitized.h"
 
 namespace burnish::inline core {
 namespace {
@@ -31,13 +32,6 @@ constexpr int kMostSeconds = 60;
 constexpr std::uint64_t kMostGigabytes = 4;
 
 constexpr std::int64_t kAnswer = 1, kMistake = 2, kEnd = 3;
-
-/// Sanitizers reserve more addresses than any limit.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitsMemory = false;
-#else
-constexpr bool kLimitsMemory = true;
-#endif
 
 std::uint64_t bytesTaken() {
   std::uint64_t pages = 0;
@@ -52,7 +46,7 @@ void setLimits() {
   const ::rlimit noCore{0, 0};
   ::setrlimit(RLIMIT_CORE, &noCore);
   ::rlimit memory{};
-  if (!kLimitsMemory || ::getrlimit(RLIMIT_AS, &memory) != 0) return;
+  if (kIsSanitized || ::getrlimit(RLIMIT_AS, &memory) != 0) return;
   memory.rlim_cur = std::min<::rlim_t>(memory.rlim_cur, bytesTaken() + (kMostGigabytes << 30U));
   ::setrlimit(RLIMIT_AS, &memory);
 }
