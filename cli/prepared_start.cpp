@@ -82,10 +82,11 @@ __attribute__((no_sanitize("address", "undefined"))) void beforeLibraries(int, c
                                                                           char** environment) {
   struct ::rlimit space = {}, data = {};
   if (::getrlimit(RLIMIT_AS, &space) != 0 || ::getrlimit(RLIMIT_DATA, &data) != 0) return;
-  if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY)
-    return burnish::kIsSanitized
-               ? void()
-               : takeLargePages(argv, environment);  // they cannot watch what comes before them
+  if (space.rlim_cur == RLIM_INFINITY && data.rlim_cur == RLIM_INFINITY) {
+    if (!burnish::kIsSanitized)
+      takeLargePages(argv, environment);  // sanitizers cannot watch what comes before them
+    return;
+  }
   if (space.rlim_cur >> 20U < kLeastSpace || data.rlim_cur >> 20U < kLeastData) {
     constexpr char text[] =
         "burnish: the memory that the program may use is below what it takes to start, " BURNISH_TEXT_OF(
