@@ -89,7 +89,7 @@ TEST_F(Beginning, OfCommandsThatTakeMuchMemorySetsItsPages) {
   const auto tunables = [&](const std::string& environment, const std::string& arguments) {
     return shell(
                dir,
-               "env MARK=1 " + environment + " " BURNISH_COMMAND " " + arguments +
+               "env " + environment + " MARK=1 " BURNISH_COMMAND " " + arguments +
                    " > /dev/null & process=$!; "
                    "for k in 1 2 3 4 5 6 7 8 9 10; do sleep 0.1; "
                    "tr '\\0' '\\n' < /proc/$process/environ | grep -e GLIBC_TUNABLES -e MARK && break; done; "
@@ -99,7 +99,7 @@ TEST_F(Beginning, OfCommandsThatTakeMuchMemorySetsItsPages) {
   EXPECT_EQ(tunables("-u GLIBC_TUNABLES", "run scene.yaml -o a --quiet"),
             kIsSanitized ? "MARK=1\n" : "GLIBC_TUNABLES=glibc.malloc.hugetlb=1\nMARK=1\n");
   EXPECT_EQ(tunables("GLIBC_TUNABLES=glibc.malloc.hugetlb=0", "run scene.yaml -o b --quiet"),
-            "MARK=1\nGLIBC_TUNABLES=glibc.malloc.hugetlb=0\n");
+            "GLIBC_TUNABLES=glibc.malloc.hugetlb=0\nMARK=1\n");
   ASSERT_EQ(shell(dir, "mkfifo pipe.yaml").code, 0);  // from which nothing comes
   EXPECT_EQ(tunables("-u GLIBC_TUNABLES", "validate pipe.yaml"), "MARK=1\n");
 }
