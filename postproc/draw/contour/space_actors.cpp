@@ -14,7 +14,9 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/contour/stroke_mapper.h"
@@ -84,7 +86,7 @@ void shade(vtkActor& actor, vtkPolyData& surface, const LightRange& range) {
 }
 
 /// Of a geometry shader that makes an area of a line; what VTK adds where it finds its marks goes through to the fragments.
-/// With `kPixelsWide`, the width below which lines are thin, `kThin`, and `kEnd`, which is 0 or half of a width.
+/// With `kPixelsWide`, the width below which lines are thin, `kThin`, and `kEnd`, by which they go on beyond their ends.
 constexpr const char* kStroke = R"(
 //VTK::PositionVC::Dec
 //VTK::PrimID::Dec
@@ -134,23 +136,24 @@ void main() {
 }
 )";
 
-/// Flat ones where overlaps would be seen, as of translucent lines (at bends a little of the lines overlaps anyway), or what
-/// lies beyond an end would be wrong.
-enum class LineEnds { Flat, Round };
+/// Flat ones where overlaps would be seen, as of translucent lines (at bends a little of the lines overlaps anyway); joined ones
+/// go on by as little as closes the gaps at bends, where what lies beyond the ends of a line would be wrong.
+enum class LineEnds { Flat, Joined, Round };
 
 /// Makes areas of lines, which lie as they do in a mirror; which pixels are at the ends of OpenGL's own depends on where they begin.
 /// Thin ones are whole pixels wide along an axis of the window, so that they are even; others have their width across them
 /// in every direction, and round ends, in which the next line begins.
 void stroke(vtkActor& actor, double width, LineEnds ends) {
   constexpr double kThin = 3.5;  // pixels of the window
-  const bool isRound = width >= kThin && ends == LineEnds::Round;
+  if (width < kThin) ends = LineEnds::Flat;
+  constexpr std::array kEnds{0.0, 0.2, 0.5};  // in widths
   vtkShaderProperty& shaders = *actor.GetShaderProperty();
   actor.GetProperty()->SetLineWidth(static_cast<float>(width));
   shaders.SetGeometryShaderCode(
       fmt::format("//VTK::System::Dec\nconst float kPixelsWide = {:.6f}, kThin = {:.1f}, kEnd = {:.1f};{}",
-                  width, kThin, isRound ? 0.5 : 0.0, kStroke)
+                  width, kThin, kEnds[static_cast<std::size_t>(ends)], kStroke)
           .c_str());
-  if (!isRound) return;
+  if (ends != LineEnds::Round) return;
   shaders.AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
                                        "//VTK::Normal::Dec\nnoperspective in vec2 strokeGSOutput;\n"
                                        "flat in float strokeLengthGSOutput;\n",
@@ -207,7 +210,7 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
 vtkSmartPointer<vtkActor> contourLineActor(vtkPolyData& lines, const ColorScale& scale, double width) {
   const auto actor = makeActor(lines, *vtkNew<StrokeMapper>());
   colorBy(scale, *actor);
-  stroke(*actor, width, LineEnds::Flat);
+  stroke(*actor, width, LineEnds::Joined);
   return actor;
 }
 
