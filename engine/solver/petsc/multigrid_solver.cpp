@@ -46,7 +46,8 @@ constexpr double kMostFallenForKept = 0.1;
 constexpr int kMoreSteps = 3, kStepsWithProducts = 5, kStepsOfSweeps = 2;
 
 /// Of a V-cycle with one step of the smoother, where more are tried: iterations of a system, and those that a digit
-/// costs; and what is left of the latter where more steps pay, which take twice the time and more. Greater reductions have too few digits to tell.
+/// costs; and what is left of the latter where more steps pay, which take twice the time and more. Greater reductions have too few
+/// digits to tell.
 constexpr double kTelling = 1e-3;
 constexpr long kFew = 4;
 constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingWithProducts = 0.4;
@@ -162,9 +163,9 @@ class MultigridSolver::Implementation {
     return x;
   }
 
-  /// Of the last V-cycle.
+  /// Of the matrices of all levels, also while there is no V-cycle of them.
   Eigen::Index nonZeros() {
-    if (cycle_ == nullptr) return lastNonZeros_;
+    if (K_ == nullptr || (!team_.isAlone() && divided_.size() < prolongations_.size())) return 0;
     Eigen::Index sum = 0;
     for (std::size_t level = 0; level <= prolongations_.size(); ++level) {
       MatInfo info;
@@ -315,7 +316,6 @@ class MultigridSolver::Implementation {
   }
 
   void forgetCycle() {
-    lastNonZeros_ = nonZeros();
     cycle_.reset();
     isSetUp_ = isNear_ = knowsSpectra_ = false;
   }
@@ -342,7 +342,7 @@ class MultigridSolver::Implementation {
       perDigitOfOne_ = perDigit;
       perDigitAtFirst_ = paying() * perDigit;
       setSmoother(A_->hasProducts() ? kStepsWithProducts : kMoreSteps, true);
-    } else if (steps_ > 1 && perDigitOfOne_ > 0.0 && perDigit > paying() * perDigitOfOne_) {
+    } else if (steps_ > 1 && perDigit > paying() * perDigitOfOne_) {
       triesMoreSteps_ = false;
       setSmoother(1, false);
     }
@@ -779,7 +779,6 @@ class MultigridSolver::Implementation {
   bool overlaps_ = false;       ///< those of several ranks
   double perDigitOfOne_ = 0.0;  ///< iterations with one step, where more are taken
   bool triesMoreSteps_ = true;
-  Eigen::Index lastNonZeros_ = 0;  ///< of a V-cycle that has been given up
   bool isIndefinite_ = false;
   bool isSetUp_ = false;         ///< the V-cycle
   bool knowsSpectra_ = false;    ///< of its smoothers, from an earlier matrix of the search
