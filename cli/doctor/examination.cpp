@@ -24,7 +24,7 @@
 #include "engine/core/version.h"
 #include "engine/solver/multigrid.h"
 #include "engine/solver/petsc_module.h"
-#include "postproc/draw/contour/free_sky.h"
+#include "postproc/draw/contour/ray_stops.h"
 #include "postproc/draw/page/font.h"
 #include "postproc/export/scratch_directory.h"
 #include "postproc/offscreen/opengl_name.h"
@@ -111,7 +111,7 @@ std::string cadText() {
 }
 
 std::string occlusionText() {
-  requireFreeSky();
+  requireRays();
   return "Embree 3";
 }
 

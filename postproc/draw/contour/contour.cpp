@@ -37,6 +37,7 @@
 #include "postproc/draw/contour/place_marks.h"
 #include "postproc/draw/contour/scalar_bar.h"
 #include "postproc/draw/contour/scale_bar.h"
+#include "postproc/draw/contour/seen_lines.h"
 #include "postproc/draw/contour/shape_lines.h"
 #include "postproc/draw/contour/shown_model.h"
 #include "postproc/draw/contour/space_actors.h"
@@ -61,12 +62,13 @@ constexpr double kFaceWidth = 6.0;
 /// Width of the edges of arrows, over that of outlines.
 constexpr double kArrowEdge = 0.5;
 
+constexpr double kToolLine = 1.2;  // width of the lines of tools, over that of outlines
+
 constexpr double kBreakWidth = 0.7;  // of a line where a tool is cut off, over that of outlines
 
 constexpr double kHalo = 3.0;  // width of what is white below a line, over its own
 
-/// Length of a dash with its gap, in heights of the text.
-constexpr double kDash = 0.5;
+constexpr double kPaleMark = 0.4;  // opacity of a mark behind something
 
 constexpr double kGhost = 0.1;  // opacity of a body of which a part alone is drawn
 
@@ -152,7 +154,7 @@ class ContourPicture {
     return {onPaper([&](const Color& paper) { return capture(paper, plan); }), view};
   }
 
-  /// The same for print: the field as an image, what is drawn over it as vectors.
+  /// The same for print: surfaces as an image, what is drawn over them as vectors.
   ContourPage page() {
     const Plan plan = makePlan(dotsPerPixel());
     const View& view = plan.layout.view;
@@ -388,8 +390,7 @@ class ContourPicture {
     OffscreenCanvas canvas(pixels[0], pixels[1]);
     vtkNew<PeelingRenderer> paper, space;
     addLayers(canvas, background, *paper, *space, printed, pixels);
-    drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan,
-              isFlat() ? Shown::Areas : Shown::Everything);
+    drawSpace(*space, canvas.supersampling() * dotsPerPixel(), plan, Shown::Areas);
     aim(*space, printed, pixels, eyeDistance());
     return canvas.capture();
   }
@@ -397,31 +398,68 @@ class ContourPicture {
   /// See `aim`.
   double eyeDistance() const { return 10.0 * lengthOf(parts_); }
 
-  /// What lies over the areas of a plane picture. In space lines are hidden by what stands before them, so that
-  /// they belong to the image.
+  /// What lies over the surfaces, as vectors.
   PageSketch spaceLines(const Plan& plan) const {
     PageSketch sketch;
-    if (!isFlat()) return sketch;
+    const auto add = [&](auto&& shapes) {
+      for (auto& shape : shapes) sketch.shapes.emplace_back(std::move(shape));
+    };
     const View& view = plan.layout.view;
-    std::vector<SpaceLines> all = bodyLines(plan);
-    for (const ToolDrawing& tool : plan.tools)
-      if (tool.lines) all.push_back(toolLines(tool));
-    for (const SpaceLines& part : all)
-      sketch.shapes.emplace_back(part.isDots
-                                     ? pageDots(*part.lines, view, part.color, part.width)
-                                     : pageLines(*part.lines, view, part.color, part.width, part.opacity));
-    if (isOfContact())
-      for (PageLines& piece : coloredPageLines(*body_.with, view, plan.scale, kFaceWidth * lineWidth()))
-        sketch.shapes.emplace_back(std::move(piece));
+    std::optional<SeenLines> seen;
+    if (!isFlat()) {
+      std::vector<HidingSurface> hiding;
+      for (const SpaceSurface& surface : surfaces(plan))
+        hiding.push_back({surface.shape, liftOf(surface.layer, view), surface.opacity});
+      seen.emplace(hiding, view);
+      if (options_.hiddenLines == HiddenLines::Dashed)
+        for (const HiddenLine& line : hiddenLines(plan))
+          sketch.shapes.emplace_back(pageDashes(*line.lines, view, theme_.outline, line.width, dashes()));
+    }
+    for (const SpaceLines& part : allLines(plan)) {
+      if (!seen)
+        sketch.shapes.emplace_back(part.isDots
+                                       ? pageDots(*part.lines, view, part.color, part.width)
+                                       : pageLines(*part.lines, view, part.color, part.width, part.opacity));
+      else if (part.isDots)
+        add(pageDots(*part.lines, view, part.color, part.width, *seen, liftOf(part, view)));
+      else
+        add(pageLines(*part.lines, view, part.color, part.width, part.opacity, *seen, liftOf(part, view)));
+    }
+    if (isOfContact() && isFlat())
+      add(coloredPageLines(*body_.with, view, plan.scale, kFaceWidth * lineWidth()));
     if (parts_.arrows.areas)
       addPageAreas(sketch, *parts_.arrows.edges, view, kWhite, kBlack, kArrowEdge * lineWidth());
     if (parts_.arrows.darkAreas)
       addPageAreas(sketch, *parts_.arrows.darkEdges, view, kBlack, kWhite, kArrowEdge * lineWidth());
-    if (parts_.extremes) addPageAreas(sketch, *extremesIn(view).edges, view, kWhite, kBlack, lineWidth());
-    if (parts_.mark)
-      for (const auto& [color, width] : {std::pair(kWhite, kHalo), std::pair(kBlack, 1.0)})
-        sketch.shapes.emplace_back(pageLines(*ringIn(view), view, color, width * lineWidth(), 1.0));
+    addPageMarks(sketch, view, seen ? &*seen : nullptr);
     return sketch;
+  }
+
+  /// The marks of `drawMarks` as vectors; seen: null in a flat picture.
+  void addPageMarks(PageSketch& sketch, const View& view, const SeenLines* seen) const {
+    const double line = lineWidth(), above = markSize() / view.pixelsPerLength;
+    const auto addPale = [&](vtkPolyData& edges) {
+      if (seen == nullptr) return;
+      sketch.shapes.emplace_back(pageLines(edges, view, kWhite, kHalo * line, kPaleMark));
+      sketch.shapes.emplace_back(pageLines(edges, view, kBlack, line, kPaleMark));
+    };
+    if (parts_.extremes) {
+      const ExtremeMarks marks = extremesIn(view);
+      addPale(*marks.edges);
+      addPageAreas(sketch, seen != nullptr ? *seenLoops(*marks.edges, *seen, above) : *marks.edges, view,
+                   kWhite, kBlack, line);
+    }
+    if (!parts_.mark) return;
+    const auto ring = ringIn(view);
+    addPale(*ring);
+    for (const auto& [color, width] : {std::pair(kWhite, kHalo * line), std::pair(kBlack, line)}) {
+      if (seen == nullptr) {
+        sketch.shapes.emplace_back(pageLines(*ring, view, color, width, 1.0));
+        continue;
+      }
+      for (PageLines& part : pageLines(*ring, view, color, width, 1.0, *seen, above))
+        sketch.shapes.emplace_back(std::move(part));
+    }
   }
 
   /// The areas of a plane picture as vectors.
@@ -542,8 +580,31 @@ class ContourPicture {
     return lines;
   }
 
-  SpaceLines toolLines(const ToolDrawing& drawing) const {
-    return {drawing.lines, theme_.outline, 1.2 * lineWidth(), kToolLines};
+  /// From the back to the front.
+  std::vector<SpaceLines> allLines(const Plan& plan) const {
+    std::vector<SpaceLines> all = bodyLines(plan);
+    for (const ToolDrawing& tool : plan.tools)
+      if (tool.lines) all.push_back({tool.lines, theme_.outline, kToolLine * lineWidth(), kToolLines});
+    return all;
+  }
+
+  Dashes dashes() const { return {.length = 0.5 * textSize_, .share = 0.55, .opacity = 0.45}; }
+
+  /// With `kWayAlong`, of edges that are dashed where they are hidden.
+  struct HiddenLine {
+    vtkSmartPointer<vtkPolyData> lines;
+    double width;  ///< in pixels of the picture
+  };
+
+  std::vector<HiddenLine> hiddenLines(const Plan& plan) const {
+    std::vector<HiddenLine> all;
+    const auto add = [&](vtkPolyData& lines, double width) {
+      if (lines.GetNumberOfLines() > 0) all.push_back({withWayAlong(lines, plan.layout.view), width});
+    };
+    add(*parts_.outline, lineWidth());
+    for (const ToolDrawing& drawing : plan.tools)
+      if (drawing.lines) add(*drawing.lines, kToolLine * lineWidth());
+    return all;
   }
 
   /// Where a plane picture ends within a tool, in pixels; none where a frame says it.
@@ -570,7 +631,44 @@ class ContourPicture {
               view, liftOf(kToolLines, view));
   }
 
-  /// What of space is drawn: of a plane picture its areas alone, where lines become vectors.
+  /// A surface as it is drawn.
+  struct SpaceSurface {
+    vtkSmartPointer<vtkPolyData> shape;
+    vtkSmartPointer<vtkActor> actor;
+    Layer layer;
+    double opacity = 1.0;  ///< to lines behind it
+  };
+
+  std::vector<SpaceSurface> surfaces(const Plan& plan) const {
+    std::vector<SpaceSurface> all;
+    const auto addPlain = [&](const vtkSmartPointer<vtkPolyData>& shape, const Color& color, bool shaded,
+                              Layer layer, double opacity = 1.0) {
+      if (shape) all.push_back({shape, plainActor(*shape, color, shaded, opacity), layer, opacity});
+    };
+    if (!isOfContact() || !isFlat())
+      all.push_back({body_.with, contourActor(*body_.with, plan.scale, !isFlat()),
+                     isOfContact() ? kContactFaces : kBody});
+    if (hatchesSection())
+      addPlain(parts_.section, theme_.paper, false, kBody);
+    else if (parts_.section)
+      all.push_back({section_.with, contourActor(*section_.with, plan.scale, false), kBody});
+    if (!isOfContact()) addPlain(body_.without, plainColor(), !isFlat(), kBody);
+    if (!hatchesSection()) addPlain(section_.without, plainColor(), false, kBody);
+    if (parts_.ghost && !isFlat()) {
+      const auto ghost = plainActor(*parts_.ghost, theme_.tool, true, kGhost);
+      ghost->GetProperty()->FrontfaceCullingOn();  // so that nothing lies over the colours of what is left
+      all.push_back({parts_.ghost, ghost, kBody, 0.0});
+    }
+    addPlain(parts_.plain, plainColor(), !isFlat(), kPlainBody);
+    addPlain(parts_.plainSection, plainColor(), false, kPlainBody);
+    for (const ToolDrawing& drawing : plan.tools) {
+      addPlain(drawing.area, theme_.tool, false, kToolFill);
+      addPlain(drawing.surface, theme_.tool, true, kToolFill, options_.toolOpacity);
+    }
+    return all;
+  }
+
+  /// What of space is drawn: for print its surfaces alone, where lines become vectors.
   enum class Shown { Everything, Areas };
 
   /// scale: pixels of the drawing per pixel of the picture.
@@ -579,52 +677,22 @@ class ContourPicture {
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, Layer layer) {
       addLifted(renderer, actor, view, liftOf(layer, view));
     };
-    const auto addLines = [&](const SpaceLines& part) {
-      if (what == Shown::Areas) return;
+    for (const SpaceSurface& surface : surfaces(plan)) add(surface.actor, surface.layer);
+    if (isOfContact() && isFlat() && what == Shown::Everything)
+      add(contourLineActor(*body_.with, plan.scale, kFaceWidth * scale * lineWidth()), kContactFaces);
+    peelTools(renderer, plan);
+    if (what == Shown::Areas) return;
+    for (const SpaceLines& part : allLines(plan)) {
       const double width = scale * part.width;
       addLifted(renderer,
                 part.isDots ? pointActor(*part.lines, part.color, width)
                             : lineActor(*part.lines, part.color, width, part.opacity),
-                view, liftOf(part.layer, view) + part.lift * lengthOf(parts_));
-    };
-    if (!isOfContact() || !isFlat())
-      add(contourActor(*body_.with, plan.scale, !isFlat()), isOfContact() ? kContactFaces : kBody);
-    else if (what == Shown::Everything)
-      add(contourLineActor(*body_.with, plan.scale, kFaceWidth * scale * lineWidth()), kContactFaces);
-    if (parts_.section)
-      add(hatchesSection() ? plainActor(*parts_.section, theme_.paper, false, 1.0)
-                           : contourActor(*section_.with, plan.scale, false),
-          kBody);
-    if (body_.without && !isOfContact()) add(plainActor(*body_.without, plainColor(), !isFlat(), 1.0), kBody);
-    if (section_.without && !hatchesSection())
-      add(plainActor(*section_.without, plainColor(), false, 1.0), kBody);
-    if (parts_.ghost && !isFlat()) {
-      const auto ghost = plainActor(*parts_.ghost, theme_.tool, true, kGhost);
-      ghost->GetProperty()->FrontfaceCullingOn();  // so that nothing lies over the colours of what is left
-      add(ghost, kBody);
+                view, liftOf(part, view));
     }
-    if (parts_.plain) add(plainActor(*parts_.plain, plainColor(), !isFlat(), 1.0), kPlainBody);
-    if (parts_.plainSection) add(plainActor(*parts_.plainSection, plainColor(), false, 1.0), kPlainBody);
-    for (const SpaceLines& part : bodyLines(plan)) addLines(part);
-    for (const ToolDrawing& drawing : plan.tools) {
-      if (drawing.area) add(plainActor(*drawing.area, theme_.tool, false, 1.0), kToolFill);
-      if (drawing.surface)
-        add(plainActor(*drawing.surface, theme_.tool, true, options_.toolOpacity), kToolFill);
-      if (drawing.lines) addLines(toolLines(drawing));
-    }
-    peelTools(renderer, plan);
-    if (what == Shown::Areas) return;
     if (isFlat()) drawToolBreaks(renderer, scale, plan);
-    if (options_.hiddenLines == HiddenLines::Dashed && !isFlat()) {
-      const double dash = kDash * textSize_;
-      const auto addHidden = [&](vtkPolyData& lines, double width) {
-        if (lines.GetNumberOfLines() > 0)
-          renderer.AddActor(dashedActor(*withWayAlong(lines, view), theme_.outline, width, dash));
-      };
-      addHidden(*parts_.outline, scale * lineWidth());
-      for (const ToolDrawing& drawing : plan.tools)
-        if (drawing.lines) addHidden(*drawing.lines, 1.2 * scale * lineWidth());
-    }
+    if (options_.hiddenLines == HiddenLines::Dashed && !isFlat())
+      for (const HiddenLine& line : hiddenLines(plan))
+        renderer.AddActor(dashedActor(*line.lines, theme_.outline, scale * line.width, dashes()));
     const ContourArrows& arrows = parts_.arrows;
     if (arrows.areas) drawArrows(renderer, *arrows.areas, *arrows.edges, kWhite, scale * lineWidth(), view);
     if (arrows.darkAreas)
@@ -664,7 +732,7 @@ class ContourPicture {
 
   /// In front of everything; in space those that are behind something are pale.
   void drawMarks(vtkRenderer& renderer, double line, const View& view) const {
-    constexpr double kPale = 0.4, kInFront = 2.1;
+    constexpr double kInFront = 2.1;
     const double side = markSize() / view.pixelsPerLength;
     const double front = kInFront * lengthOf(parts_), above = isFlat() ? front : side;
     const auto add = [&](const vtkSmartPointer<vtkActor>& actor, double nearness) {
@@ -673,8 +741,8 @@ class ContourPicture {
     const auto addEdges = [&](vtkPolyData& edges) {
       add(lineActor(edges, kBlack, line, 1.0), above + 0.1 * side);
       if (isFlat()) return;
-      add(lineActor(edges, kWhite, kHalo * line, kPale), front);
-      add(lineActor(edges, kBlack, line, kPale), front + 0.1 * side);
+      add(lineActor(edges, kWhite, kHalo * line, kPaleMark), front);
+      add(lineActor(edges, kBlack, line, kPaleMark), front + 0.1 * side);
     };
     if (parts_.extremes) {
       const ExtremeMarks marks = extremesIn(view);
@@ -699,6 +767,10 @@ class ContourPicture {
     if (layer == kContactFaces) part = kLiftOfFaces;
     const double layers = layer == kToolFill ? 0.0 : order - static_cast<double>(kBody);
     return part * lengthOf(parts_) + kPixelsPerLayer * layers / view.pixelsPerLength;
+  }
+
+  double liftOf(const SpaceLines& part, const View& view) const {
+    return liftOf(part.layer, view) + part.lift * lengthOf(parts_);
   }
 
   ToolDrawing drawTool(const ShownTool& tool, const View& view, double dots) const {

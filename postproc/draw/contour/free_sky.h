@@ -1,11 +1,7 @@
 #pragma once
-#include <vtkSmartPointer.h>
-
 #include <Eigen/Dense>
-#include <memory>
-#include <vector>
 
-class vtkPolyData;
+#include "postproc/draw/contour/ray_stops.h"
 
 namespace burnish {
 
@@ -14,22 +10,8 @@ namespace burnish {
 /// images in planes across the axes are mirror images.
 class FreeSky {
  public:
-  using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
-
-  /// What rays are computed in, with single precision.
-  struct Space {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    double scale = 1.0;
-
-    Eigen::Vector3f place(const Eigen::Vector3d& x) const { return (scale * (x - middle)).cast<float>(); }
-  };
-
-  /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. Throws `Error`
-  /// where there is not enough memory.
+  /// bodies: polygons that stop all rays; tools: that stop a share `toolOpacity`. Throws as `RayStops`.
   FreeSky(const Surfaces& bodies, const Surfaces& tools, double toolOpacity);
-  ~FreeSky();
-  FreeSky(const FreeSky&) = delete;
-  FreeSky& operator=(const FreeSky&) = delete;
 
   /// How long rays are, and where they begin, measured along the normals from the points.
   struct Rays {
@@ -45,13 +27,9 @@ class FreeSky {
                            const Rays& rays) const;
 
  private:
-  class Occluders;
-  Space space_;
-  std::unique_ptr<Occluders> bodies_, tools_;
+  RaySpace space_;
+  RayStops bodies_, tools_;
   double toolOpacity_;
 };
-
-/// Loads the library that follows the rays. Throws `Error` where that fails.
-void requireFreeSky();
 
 }  // namespace burnish

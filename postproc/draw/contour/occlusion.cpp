@@ -147,7 +147,7 @@ class CoarseLattice {
 };
 
 FreeSky skyOf(const ContourParts& parts, const std::vector<ToolDrawing>& tools, double toolOpacity) {
-  FreeSky::Surfaces bodies, surfaces;
+  Surfaces bodies, surfaces;
   for (const auto& part : {parts.body, parts.section, parts.plain, parts.plainSection})
     if (part) bodies.push_back(part);
   for (const ToolDrawing& tool : tools)

@@ -17,9 +17,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
+#include "postproc/draw/contour/shape_lines.h"
 #include "postproc/mesh/same_points.h"
 
 namespace burnish {
@@ -56,6 +58,36 @@ std::vector<PagePoints> placed(vtkPolyData& lines, const View& view) {
   }
   return result;
 }
+
+PagePoints dotAt(vtkPolyData& points, vtkIdType point, const View& view) {
+  const Eigen::Vector2d at = onPage(points, point, view);
+  return {at, at};
+}
+
+/// Lines of one look, those of which an equal share comes through together.
+class SeenTogether {
+ public:
+  /// look: without lines, as what is seen in full looks.
+  explicit SeenTogether(PageLines look) : look_(std::move(look)) {}
+
+  void add(PagePoints line, double share) {
+    constexpr double kLeast = 0.01;
+    if (share < kLeast) return;
+    PageLines& lines = byShare_.try_emplace(share, look_).first->second;
+    lines.opacity = share * look_.opacity;
+    lines.lines.push_back(std::move(line));
+  }
+
+  std::vector<PageLines> lines() const {
+    std::vector<PageLines> all;
+    for (const auto& [share, lines] : byShare_) all.push_back(lines);
+    return all;
+  }
+
+ private:
+  PageLines look_;
+  std::map<double, PageLines> byShare_;
+};
 
 /// The lines in as few pieces as there can be.
 vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
@@ -159,13 +191,66 @@ PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, do
   return {placed(*inFewPieces(lines), view), width, color, opacity, true, view.area};
 }
 
+std::vector<PageLines> pageLines(vtkPolyData& lines, const View& view, const Color& color, double width,
+                                 double opacity, const SeenLines& seen, double lift) {
+  SeenTogether together({{}, width, color, opacity, true, view.area});
+  for (SeenLines::Piece& piece : seen.piecesOf(*inFewPieces(lines), lift))
+    together.add(std::move(piece.points), piece.share);
+  return together.lines();
+}
+
+PageLines pageDashes(vtkPolyData& lines, const View& view, const Color& color, double width,
+                     const Dashes& look) {
+  PageLines dashes{{}, width, color, look.opacity, false, view.area};
+  vtkDataArray& ways = *lines.GetPointData()->GetArray(kWayAlong);
+  for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
+    bool isDrawn = false;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Eigen::Vector2d begin = onPage(lines, line[k], view), end = onPage(lines, line[k + 1], view);
+      const double from = ways.GetComponent(line[k], 0), to = ways.GetComponent(line[k + 1], 0);
+      const auto at = [&](double way) -> Eigen::Vector2d {
+        return begin + (to > from ? (way - from) / (to - from) : 0.0) * (end - begin);
+      };
+      for (double number = std::floor(from / look.length); number * look.length < to; ++number) {
+        const double first = std::max(from, number * look.length),
+                     last = std::min(to, (number + look.share) * look.length);
+        if (first >= last) continue;
+        if (!isDrawn || first > from) dashes.lines.push_back({at(first)});
+        dashes.lines.back().push_back(at(last));
+        isDrawn = last == to;
+      }
+    }
+  }
+  return dashes;
+}
+
 PageLines pageDots(vtkPolyData& points, const View& view, const Color& color, double diameter) {
   PageLines dots{{}, diameter, color, 1.0, true, view.area};
-  for (vtkIdType k = 0; k < points.GetNumberOfPoints(); ++k) {
-    const Eigen::Vector2d at = onPage(points, k, view);
-    dots.lines.push_back({at, at});
-  }
+  for (vtkIdType k = 0; k < points.GetNumberOfPoints(); ++k) dots.lines.push_back(dotAt(points, k, view));
   return dots;
+}
+
+std::vector<PageLines> pageDots(vtkPolyData& points, const View& view, const Color& color, double diameter,
+                                const SeenLines& seen, double lift) {
+  SeenTogether together({{}, diameter, color, 1.0, true, view.area});
+  for (vtkIdType k = 0; k < points.GetNumberOfPoints(); ++k)
+    together.add(dotAt(points, k, view),
+                 seen.shareAt(Eigen::Map<const Eigen::Vector3d>(points.GetPoint(k)), lift));
+  return together.lines();
+}
+
+vtkSmartPointer<vtkPolyData> seenLoops(vtkPolyData& loops, const SeenLines& seen, double lift) {
+  vtkNew<vtkCellArray> kept;
+  for (const std::vector<vtkIdType>& loop : pointsOfLines(loops)) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const vtkIdType point : loop) middle += Eigen::Map<const Eigen::Vector3d>(loops.GetPoint(point));
+    if (seen.shareAt(middle / static_cast<double>(loop.size()), lift) > 0.5)
+      kept->InsertNextCell(std::ssize(loop), loop.data());
+  }
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(loops.GetPoints());
+  result->SetLines(kept);
+  return result;
 }
 
 std::vector<PageLines> coloredPageLines(vtkPolyData& lines, const View& view, const ColorScale& scale,

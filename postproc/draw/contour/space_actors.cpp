@@ -214,9 +214,9 @@ vtkSmartPointer<vtkActor> contourLineActor(vtkPolyData& lines, const ColorScale&
   return actor;
 }
 
-vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width, double dash) {
-  constexpr double kPaleness = 0.45, kGap = 0.45;
-  const auto actor = lineActor(lines, color, width, kPaleness);
+vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width,
+                                      const Dashes& dashes) {
+  const auto actor = lineActor(lines, color, width, dashes.opacity);
   vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper())
       ->MapDataArrayToVertexAttribute("wayMC", kWayAlong, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   vtkShaderProperty& shaders = *actor->GetShaderProperty();
@@ -235,8 +235,8 @@ vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, do
                                        "//VTK::Normal::Dec\nin float wayVCGSOutput;\n", false);
   shaders.AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
-      fmt::format("//VTK::Color::Impl\n  if (mod(wayVCGSOutput, {:.4f}) > {:.4f}) discard;\n", dash,
-                  (1.0 - kGap) * dash),
+      fmt::format("//VTK::Color::Impl\n  if (mod(wayVCGSOutput, {:.4f}) > {:.4f}) discard;\n", dashes.length,
+                  dashes.share * dashes.length),
       false);
   return actor;
 }

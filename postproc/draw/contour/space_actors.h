@@ -31,9 +31,16 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData& lines, const Color& color, doub
 /// Lines whose colours are looked up as those of `contourActor`.
 vtkSmartPointer<vtkActor> contourLineActor(vtkPolyData& lines, const ColorScale& scale, double width);
 
+struct Dashes {
+  double length;  ///< of a dash with its gap, in pixels of the view
+  double share;   ///< of it that is drawn
+  double opacity;
+};
+
 /// Lines with `kWayAlong`, in front of everything, dashed and pale: over what is seen of them anyway they change
-/// nothing. dash: length of a dash with its gap, in pixels of the view.
-vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width, double dash);
+/// nothing.
+vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width,
+                                      const Dashes& dashes);
 
 /// The points as round dots. diameter: in pixels of the window.
 vtkSmartPointer<vtkActor> pointActor(vtkPolyData& points, const Color& color, double diameter);

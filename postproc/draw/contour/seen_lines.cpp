@@ -1,0 +1,128 @@
+#include "postproc/draw/contour/seen_lines.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "postproc/draw/contour/ray_stops.h"
+
+namespace burnish {
+namespace {
+
+/// Of a closed surface one sees two sides; of what is behind more of them nothing is left to be seen.
+constexpr int kMostSides = 8;
+
+/// Between places at which one looks, and to which the end of a piece is found, in pixels.
+constexpr double kPixelsOfStep = 0.25, kPixelsOfEnd = 0.01;
+
+using Line = std::vector<Eigen::Vector3d>;
+
+std::vector<Line> placesOf(vtkPolyData& lines) {
+  std::vector<Line> all;
+  vtkNew<vtkIdList> ids;
+  vtkCellArray& cells = *lines.GetLines();
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    cells.GetCellAtId(cell, ids);
+    Line& line = all.emplace_back();
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) line.emplace_back(lines.GetPoint(ids->GetId(k)));
+  }
+  return all;
+}
+
+/// Whether all of a segment is on one outer side of an area.
+bool isBeside(const PixelRect& area, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::max(a.x(), b.x()) < area.x || std::min(a.x(), b.x()) > area.right() ||
+         std::max(a.y(), b.y()) < area.y || std::min(a.y(), b.y()) > area.top();
+}
+
+}  // namespace
+
+struct SeenLines::Group {
+  double lift, opacity, length;
+  std::unique_ptr<RayStops> stops;
+};
+
+SeenLines::SeenLines(const std::vector<HidingSurface>& surfaces, const View& view) : view_(view) {
+  std::map<std::pair<double, double>, Surfaces> alike;
+  for (const HidingSurface& surface : surfaces)
+    if (surface.opacity > 0.0) alike[{surface.lift, surface.opacity}].push_back(surface.shape);
+  for (const auto& [look, shapes] : alike) {
+    const RaySpace space = raySpaceOf(shapes);
+    groups_.push_back(
+        {look.first, look.second, 8.0 / space.scale, std::make_unique<RayStops>(shapes, space)});
+  }
+}
+
+SeenLines::~SeenLines() = default;
+
+double SeenLines::shareAt(const Eigen::Vector3d& point, double lift) const {
+  double share = 1.0;
+  for (const Group& group : groups_) {
+    const double before = lift - group.lift;
+    Eigen::Vector3d origin = point + before * view_.towardsEye(), towards = view_.towardsEye();
+    double reach = group.length;
+    if (view_.eye) {  // lifted along the line of sight by a distance across the picture
+      constexpr double kMost = 0.99;
+      const Eigen::Vector3d way = view_.eye->position(view_.axes) - point;
+      origin = point + std::min(kMost, before / way.dot(view_.towardsEye())) * way;
+      towards = way.normalized();
+      reach = (view_.eye->position(view_.axes) - origin).norm();
+    }
+    const bool isOpaque = group.opacity == 1.0;
+    const int sides = group.stops->numMet(origin, towards, reach, isOpaque ? 1 : kMostSides);
+    share *= std::pow(1.0 - group.opacity, sides);
+    if (share == 0.0) break;
+  }
+  return share;
+}
+
+std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lift) const {
+  const std::vector<Line> all = placesOf(lines);
+  std::vector<std::vector<Piece>> found(all.size());
+  const auto pixelAt = [&](const Eigen::Vector3d& place) { return view_.pixel(place); };
+  const auto follow = [&](const Line& line, std::vector<Piece>& pieces) {
+    double share = shareAt(line.front(), lift);
+    pieces.push_back({{pixelAt(line.front())}, share});
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Eigen::Vector3d &from = line[k], way = line[k + 1] - from;
+      const Eigen::Vector2d begin = pixelAt(from), end = pixelAt(line[k + 1]);
+      const double pixels = (end - begin).norm();
+      const auto at = [&](double part) -> Eigen::Vector3d { return from + part * way; };
+      const double steps =
+          isBeside(view_.area, begin, end) ? 1.0 : std::max(1.0, std::ceil(pixels / kPixelsOfStep));
+      for (double step = 0.0; step < steps; ++step) {
+        double before = step / steps, after = (step + 1.0) / steps;
+        const double next = shareAt(at(after), lift);
+        if (next == share) continue;
+        while ((after - before) * pixels > kPixelsOfEnd) {
+          const double middle = 0.5 * (before + after);
+          (shareAt(at(middle), lift) == share ? before : after) = middle;
+        }
+        const Eigen::Vector2d border = pixelAt(at(after));
+        pieces.back().points.push_back(border);
+        pieces.push_back({{border}, next});
+        share = next;
+      }
+      pieces.back().points.push_back(end);
+    }
+    std::erase_if(pieces, [](const Piece& piece) { return piece.share == 0.0 || piece.points.size() < 2; });
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k < range.end(); ++k)
+      if (all[k].size() > 1) follow(all[k], found[k]);
+  });
+  std::vector<Piece> pieces;
+  for (std::vector<Piece>& of : found)
+    pieces.insert(pieces.end(), std::make_move_iterator(of.begin()), std::make_move_iterator(of.end()));
+  return pieces;
+}
+
+}  // namespace burnish
