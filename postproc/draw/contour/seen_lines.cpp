@@ -23,15 +23,15 @@ constexpr int kMostSides = 8;
 /// Between places at which one looks, and to which the end of a piece is found, in pixels.
 constexpr double kPixelsOfStep = 0.25, kPixelsOfEnd = 0.01;
 
-using Line = std::vector<Eigen::Vector3d>;
+using LinePlaces = std::vector<Eigen::Vector3d>;
 
-std::vector<Line> placesOf(vtkPolyData& lines) {
-  std::vector<Line> all;
+std::vector<LinePlaces> placesOf(vtkPolyData& lines) {
+  std::vector<LinePlaces> all;
   vtkNew<vtkIdList> ids;
   vtkCellArray& cells = *lines.GetLines();
   for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
     cells.GetCellAtId(cell, ids);
-    Line& line = all.emplace_back();
+    LinePlaces& line = all.emplace_back();
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) line.emplace_back(lines.GetPoint(ids->GetId(k)));
   }
   return all;
@@ -85,10 +85,10 @@ double SeenLines::shareAt(const Eigen::Vector3d& point, double lift) const {
 }
 
 std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lift) const {
-  const std::vector<Line> all = placesOf(lines);
+  const std::vector<LinePlaces> all = placesOf(lines);
   std::vector<std::vector<Piece>> found(all.size());
   const auto pixelAt = [&](const Eigen::Vector3d& place) { return view_.pixel(place); };
-  const auto follow = [&](const Line& line, std::vector<Piece>& pieces) {
+  const auto follow = [&](const LinePlaces& line, std::vector<Piece>& pieces) {
     double share = shareAt(line.front(), lift);
     pieces.push_back({{pixelAt(line.front())}, share});
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
