@@ -580,11 +580,12 @@ class ContourPicture {
     return lines;
   }
 
-  /// From the back to the front.
+  /// Later ones over earlier ones at the same place.
   std::vector<SpaceLines> allLines(const Plan& plan) const {
     std::vector<SpaceLines> all = bodyLines(plan);
     for (const ToolDrawing& tool : plan.tools)
       if (tool.lines) all.push_back({tool.lines, theme_.outline, kToolLine * lineWidth(), kToolLines});
+    std::ranges::stable_sort(all, {}, [&](const SpaceLines& part) { return liftOf(part, plan.layout.view); });
     return all;
   }
 
