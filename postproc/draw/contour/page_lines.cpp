@@ -194,7 +194,7 @@ PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, do
 std::vector<PageLines> pageLines(vtkPolyData& lines, const View& view, const Color& color, double width,
                                  double opacity, const SeenLines& seen, double lift) {
   SeenTogether together({{}, width, color, opacity, true, view.area});
-  for (SeenLines::Piece& piece : seen.piecesOf(*inFewPieces(lines), lift))
+  for (SeenLines::Piece& piece : seen.piecesOf(*inFewPieces(lines), lift, width))
     together.add(std::move(piece.points), piece.share);
   return together.lines();
 }

@@ -84,29 +84,39 @@ double SeenLines::shareAt(const Eigen::Vector3d& point, double lift) const {
   return share;
 }
 
-std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lift) const {
+std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lift, double width) const {
   const std::vector<LinePlaces> all = placesOf(lines);
   std::vector<std::vector<Piece>> found(all.size());
-  const auto pixelAt = [&](const Eigen::Vector3d& place) { return view_.pixel(place); };
+  // In space, across a direction in the picture.
+  const auto asideOf = [&](const Eigen::Vector2d& along, double far) -> Eigen::Vector3d {
+    return far * view_.axes.transpose() * Eigen::Vector2d(-along.y(), along.x()).normalized();
+  };
   const auto follow = [&](const LinePlaces& line, std::vector<Piece>& pieces) {
-    double share = shareAt(line.front(), lift);
-    pieces.push_back({{pixelAt(line.front())}, share});
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const Eigen::Vector3d &from = line[k], way = line[k + 1] - from;
-      const Eigen::Vector2d begin = pixelAt(from), end = pixelAt(line[k + 1]);
+      const Eigen::Vector2d begin = view_.pixel(from), end = view_.pixel(line[k + 1]);
       const double pixels = (end - begin).norm();
+      const Eigen::Vector3d aside = asideOf(end - begin, 0.5 * width);
       const auto at = [&](double part) -> Eigen::Vector3d { return from + part * way; };
+      const auto shareOf = [&](double part) {
+        const double share = shareAt(at(part), lift);
+        if (share == 1.0 || pixels == 0.0) return share;
+        const Eigen::Vector3d side = aside / view_.pixelsPerLengthAt(at(part));
+        return std::max({share, shareAt(at(part) + side, lift), shareAt(at(part) - side, lift)});
+      };
+      double share = shareOf(0.0);
+      if (pieces.empty() || pieces.back().share != share) pieces.push_back({{begin}, share});
       const double steps =
           isBeside(view_.area, begin, end) ? 1.0 : std::max(1.0, std::ceil(pixels / kPixelsOfStep));
       for (double step = 0.0; step < steps; ++step) {
         double before = step / steps, after = (step + 1.0) / steps;
-        const double next = shareAt(at(after), lift);
+        const double next = shareOf(after);
         if (next == share) continue;
         while ((after - before) * pixels > kPixelsOfEnd) {
           const double middle = 0.5 * (before + after);
-          (shareAt(at(middle), lift) == share ? before : after) = middle;
+          (shareOf(middle) == share ? before : after) = middle;
         }
-        const Eigen::Vector2d border = pixelAt(at(after));
+        const Eigen::Vector2d border = view_.pixel(at(after));
         pieces.back().points.push_back(border);
         pieces.push_back({{border}, next});
         share = next;

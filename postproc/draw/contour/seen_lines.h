@@ -37,9 +37,10 @@ class SeenLines {
     double share;       ///< of its darkness that comes through
   };
 
-  /// The parts of polylines that are seen in the area of the view or may be beside it. What is hidden or seen over less than a quarter of a pixel may be
-  /// missed. lift: towards the eye, as they are drawn.
-  std::vector<Piece> piecesOf(vtkPolyData& lines, double lift) const;
+  /// The parts of polylines of which the middle or one of the sides is seen in the area of the view, or which may be beside it: of one
+  /// round a surface the side beyond it. What is hidden or seen over less than a quarter of a pixel may be missed. lift: towards
+  /// the eye, as they are drawn. width: in pixels.
+  std::vector<Piece> piecesOf(vtkPolyData& lines, double lift, double width) const;
 
   /// What comes through of the darkness of a point.
   double shareAt(const Eigen::Vector3d& point, double lift) const;
