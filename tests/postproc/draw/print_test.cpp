@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -158,7 +159,11 @@ TEST_F(Print, ShowsWhatThePictureShows) {
   options.arrows = ArrowField::Displacement;
   for (const bool inSpace : {false, true}) {
     const samples::Sample sample = inSpace ? samples::cube() : samples::slab();
-    if (inSpace) options.field = "pressure";
+    if (inSpace) {
+      options.field = "pressure";
+      options.knots = options.markExtremes = true;
+      options.hiddenLines = HiddenLines::Dashed;
+    }
     options.occlusion = false;
     const Picture page = rasterised(sample), picture = drawn(sample, options);
     ASSERT_EQ(page.width, picture.width);
@@ -183,6 +188,43 @@ TEST_F(Print, OutlinesAreVectorsWhereTheBodyIs) {
       const auto shown = [](double value) { return fmt::format("{}", std::round(1e3 * value) / 1e3); };
       EXPECT_THAT(svg, HasSubstr(shown(at.x()) + "," + shown(300.0 - at.y()))) << x << ", " << y;
     }
+}
+
+/// Places of the paths of an SVG.
+std::vector<Eigen::Vector2d> placesIn(const std::string& svg) {
+  const std::regex place(R"((-?[0-9.]+),(-?[0-9.]+))"), path("<path[^>]* d=\"([^\"]*)\"");
+  std::vector<Eigen::Vector2d> places;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), path), end; found != end; ++found) {
+    const std::string line = (*found)[1];
+    for (std::sregex_iterator at(line.begin(), line.end(), place); at != end; ++at)
+      places.emplace_back(std::stod((*at)[1]), std::stod((*at)[2]));
+  }
+  return places;
+}
+
+/// Of the corners of a cube all but the one behind it are seen.
+TEST_F(Print, OutlinesInSpaceAreVectorsWhereTheyAreSeen) {
+  options.field = "pressure";
+  for (const std::optional<double>& perspective : {std::optional<double>(), std::optional(40.0)}) {
+    options.perspective = perspective;
+    const std::string svg = print(samples::cube(), "a.svg");
+    const std::vector<Eigen::Vector2d> places = placesIn(svg);
+    double nearest = HUGE_VAL;
+    Eigen::Vector3d hidden;
+    const auto cornerAt = [](int k) { return Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2 & 1); };
+    for (int k = 0; k < 8; ++k)
+      if (const double depth = view.towardsEye().dot(cornerAt(k)); depth < nearest) {
+        nearest = depth;
+        hidden = cornerAt(k);
+      }
+    for (int k = 0; k < 8; ++k) {
+      const Eigen::Vector2d at = view.pixel(cornerAt(k)), onPage(at.x(), 300.0 - at.y());
+      EXPECT_EQ(
+          std::ranges::any_of(places, [&](const auto& place) { return (place - onPage).norm() < 0.02; }),
+          cornerAt(k) != hidden)
+          << cornerAt(k).transpose();
+    }
+  }
 }
 
 TEST_F(Print, SvgIsXmlWithTexts) {
