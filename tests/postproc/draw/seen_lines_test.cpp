@@ -99,13 +99,13 @@ TEST(SeenLines, InPerspectiveEndInTheShadowOfAnEye) {
 }
 
 TEST(SeenLines, FarFromTheOriginAreTheSame) {
-  constexpr double kFar = 1e4;
+  constexpr double kAway = 1e4;
   View view = fromAbove();
-  view.center = {kFar, 0.0};
+  view.center = {kAway, 0.0};
   const auto moved = [](const vtkSmartPointer<vtkPolyData>& shape) {
     for (vtkIdType k = 0; k < shape->GetNumberOfPoints(); ++k) {
       const Eigen::Vector3d at(shape->GetPoint(k));
-      shape->GetPoints()->SetPoint(k, at.x() + kFar, at.y(), at.z());
+      shape->GetPoints()->SetPoint(k, at.x() + kAway, at.y(), at.z());
     }
     return shape;
   };
