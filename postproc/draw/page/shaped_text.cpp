@@ -13,4 +13,13 @@ ShapedText shapedText(const std::string& text, const std::string& fontFile) {
   return shaped;
 }
 
+std::string fontOfLetters(const std::set<char32_t>& letters, const std::string& fontFile) {
+  using Take = void(const std::set<char32_t>&, const std::string&, std::string&);
+  static auto* const take = reinterpret_cast<Take*>(
+      moduleFunction({"burnish_shaper.so"}, "burnishFontOfLetters", "a page with texts as SVG"));
+  std::string font;
+  take(letters, fontFile, font);
+  return font;
+}
+
 }  // namespace burnish

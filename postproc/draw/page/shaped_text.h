@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,9 @@ struct ShapedText {
 
 /// Without glyphs if the font has none for a part of the text. Throws `ModuleError` if what shapes is not there.
 ShapedText shapedText(const std::string& text, const std::string& fontFile);
+
+/// The bytes of a font file with these letters alone, and the glyphs that they have beside one another; empty if the font has none of them, or
+/// cannot be taken apart. Throws `ModuleError` as above.
+std::string fontOfLetters(const std::set<char32_t>& letters, const std::string& fontFile);
 
 }  // namespace burnish

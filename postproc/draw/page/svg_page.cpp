@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/core/shown_text.h"
 #include "postproc/draw/page/picture_look.h"
 #include "postproc/draw/page/png_file.h"
 #include "postproc/draw/page/print_file.h"
@@ -29,6 +31,18 @@ class SvgPainter {
   explicit SvgPainter(double height) : height_(height) {}
 
   const std::string& text() const { return text_; }
+
+  /// The letters of the texts in their fonts, so that a page looks the same where these are not installed.
+  std::string fonts() const {
+    std::string rules;
+    for (const auto& [family, used] : fonts_) {
+      const std::string font = fontOfLetters(used.letters, used.file);
+      if (!font.empty())
+        rules += fmt::format("@font-face{{font-family:'{}';src:url(data:font/{};base64,{})}}\n",
+                             escaped(family), font.starts_with("OTTO") ? "otf" : "ttf", base64(font));
+    }
+    return rules.empty() ? "" : fmt::format("<style>\n{}</style>\n", rules);
+  }
 
   void operator()(const PageLines& lines) {
     std::string path;
@@ -73,6 +87,8 @@ class SvgPainter {
         at, text.direction == TextDirection::Up ? " rotate(-90)" : "",
         anchors[static_cast<std::size_t>(text.anchor)], families(text.style.font, pieces),
         length(text.style.size), Spelling<Color>::write(text.style.color));
+    addLetters(fontNamed(text.style.font), pieces);
+    for (const TextPiece& piece : pieces) addLetters(*piece.piece.font, pieces);
     double lift = 0.0;
     for (const TextPiece& piece : pieces) {
       const std::string letters = escaped(piece.piece.letters);
@@ -94,6 +110,24 @@ class SvgPainter {
   }
 
  private:
+  /// Letters that are drawn in a font.
+  struct UsedFont {
+    std::string file;
+    std::set<char32_t> letters;
+  };
+
+  /// All of a text: those of scripts from right to left are no longer in the pieces which have them.
+  void addLetters(const Font& font, const std::vector<TextPiece>& pieces) {
+    if (font.family.empty()) return;
+    UsedFont& used = fonts_.try_emplace(font.family, UsedFont{font.file, {}}).first->second;
+    for (const TextPiece& piece : pieces)
+      for (std::size_t at = 0; at < piece.piece.letters.size();) {
+        const auto [letter, length] = letterAt(piece.piece.letters, at);
+        used.letters.insert(letter);
+        at += std::max<std::size_t>(1, length);
+      }
+  }
+
   /// The font, those which have the letters it lacks, and any.
   static std::string families(const std::string& font, const std::vector<TextPiece>& pieces) {
     std::vector<std::string> families{fontNamed(font).family, kDefaultFont};
@@ -136,6 +170,7 @@ class SvgPainter {
   double height_;
   std::string text_;
   std::vector<PixelRect> clips_;
+  std::map<std::string, UsedFont> fonts_;  ///< by family
 };
 
 }  // namespace
@@ -147,9 +182,9 @@ std::string svgText(const PrintPage& page) {
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{}pt\" height=\"{}pt\" "
-      "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n<g>\n{}</g>\n</svg>\n",
+      "viewBox=\"0 0 {} {}\">\n<title>{}</title>\n{}<g>\n{}</g>\n</svg>\n",
       paper(page.size[0]), paper(page.size[1]), length(page.size[0]), length(page.size[1]),
-      escaped(page.title), painter.text());
+      escaped(page.title), painter.fonts(), painter.text());
 }
 
 }  // namespace burnish

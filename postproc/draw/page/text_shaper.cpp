@@ -1,13 +1,15 @@
+#include <hb-subset.h>
 #include <hb.h>
 
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 
 #include "postproc/draw/page/shaped_text.h"
 
-/// HarfBuzz, loaded when a text of letters that join is drawn: it brings two libraries along.
+/// HarfBuzz, loaded when a text of letters that join is drawn or a page holds a font: it brings libraries along.
 namespace burnish {
 namespace {
 
@@ -21,6 +23,7 @@ struct ShaperDeleter {
 using ShaperFont = std::unique_ptr<hb_font_t, ShaperDeleter<hb_font_destroy>>;
 using ShaperFace = std::unique_ptr<hb_face_t, ShaperDeleter<hb_face_destroy>>;
 using ShaperBlob = std::unique_ptr<hb_blob_t, ShaperDeleter<hb_blob_destroy>>;
+using ShaperSubset = std::unique_ptr<hb_subset_input_t, ShaperDeleter<hb_subset_input_destroy>>;
 using ShaperBuffer = std::unique_ptr<hb_buffer_t, ShaperDeleter<hb_buffer_destroy>>;
 
 /// In units of the font's own grid.
@@ -66,4 +69,22 @@ extern "C" void burnishShapeText(const std::string& text, const std::string& fon
   }
   made.length = pen.x() / em;
   shaped = made;
+}
+
+/// Leaves the font empty if it has none of the letters.
+extern "C" void burnishFontOfLetters(const std::set<char32_t>& letters, const std::string& fontFile,
+                                     std::string& font) {
+  using namespace burnish;
+  hb_face_t* whole = hb_font_get_face(shaperFont(fontFile));
+  const ShaperSubset wanted(hb_subset_input_create_or_fail());
+  if (!wanted) return;
+  hb_subset_input_set_flags(wanted.get(), HB_SUBSET_FLAGS_NO_HINTING);
+  hb_set_t* codes = hb_subset_input_unicode_set(wanted.get());
+  for (const char32_t letter : letters) hb_set_add(codes, letter);
+  const ShaperFace part(hb_subset_or_fail(whole, wanted.get()));
+  if (!part || hb_face_get_glyph_count(part.get()) < 2) return;  // the first one stands for what is missing
+  const ShaperBlob blob(hb_face_reference_blob(part.get()));
+  unsigned size = 0;
+  const char* bytes = hb_blob_get_data(blob.get(), &size);
+  font.assign(bytes, size);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <regex>
@@ -240,6 +241,25 @@ TEST_F(Print, SvgIsXmlWithTexts) {
   EXPECT_THAT(parts, AllOf(HasSubstr("a & \"b\" < Ω\n"), HasSubstr("t = 1.5\n"), HasSubstr("0.4\n"),
                            HasSubstr("paths 1 image")));
   EXPECT_THAT(readText(dir / "a.svg"), HasSubstr("'DejaVu Sans', sans-serif"));
+}
+
+/// With the letters that are drawn, and no others.
+TEST_F(Print, SvgHoldsTheFontOfItsTexts) {
+  options.title = "Größe Ω я";
+  print(samples::slab(), "a.svg");
+  told(
+      "python3 -c \"import base64, re; s = open('a.svg').read(); "
+      "fonts = re.findall(r'font-family:.DejaVu Sans.;src:url.data:font/ttf;base64,([^)]*)', s); assert len(fonts) == 1; "
+      "open('part.ttf', 'wb').write(base64.b64decode(fonts[0]))\"");
+  const std::string part = dir / "part.ttf";
+  const auto isThere = [&](const std::string& letters) {
+    return std::ranges::all_of(fontPieces(letters, part), [&](const FontPiece& piece) {
+      return piece.font->file == part && piece.font->family == kDefaultFont;
+    });
+  };
+  EXPECT_TRUE(isThere("Größe Ω я t = 1.5 Equivalent plastic strain 0.4"));
+  EXPECT_FALSE(isThere("Q"));
+  EXPECT_LT(std::filesystem::file_size(part), 30'000);
 }
 
 /// Bands and smooth colours, of one body, of a ring of rational patches, of two bodies of which one is plain, and of a part.
