@@ -50,9 +50,8 @@ void addReportCommand(CLI::App& app, Action& action) {
       ->add_option("--frames", arguments->options.frames,
                    fmt::format("Pictures of a run, at most; evenly chosen [{}]", ReportOptions{}.frames))
       ->check(CLI::Range(2, 1000));
-  command->add_flag(
-      "--turn", arguments->options.turn,
-      "Of a run: write PAGE.view.html beside the page, on which the body can be turned, and link to it");
+  command->add_flag("--turn", arguments->options.turn,
+                    "Of a run: with the body, which can be turned, zoomed and cut");
   command
       ->add_option("--document", arguments->options.document,
                    "Document of a study [the only Markdown file in DIR]")

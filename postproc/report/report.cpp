@@ -12,10 +12,6 @@
 
 namespace burnish {
 
-std::filesystem::path viewBeside(const std::filesystem::path& html) {
-  return std::filesystem::path(html).replace_extension(".view.html");
-}
-
 void writeReport(const std::filesystem::path& directory, const ReportOptions& options,
                  const std::filesystem::path& html) {
   HtmlPage page;

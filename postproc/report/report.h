@@ -8,12 +8,9 @@ namespace burnish {
 struct ReportOptions {
   PanelOptions picture;            ///< without a field: plastic strain, or else the von Mises stress
   int frames = 40;                 ///< at most so many pictures of a run, >= 2, evenly chosen
-  bool turn = false;               ///< of a run: write a page to turn beside it, see `viewBeside`
+  bool turn = false;               ///< of a run: with a page to turn in it, see `viewPage`
   std::filesystem::path document;  ///< of a study; empty: the only Markdown file in its directory, if any
 };
-
-/// The page to turn that stands beside a report: report.view.html.
-std::filesystem::path viewBeside(const std::filesystem::path& html);
 
 /// Writes a page about a run or a study, which needs nothing else: no network, no other file. directory: of a
 /// run (with result.h5, which may still be going on) or of a study (with runs/). Throws `Error` for other

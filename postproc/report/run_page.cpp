@@ -96,11 +96,9 @@ std::string probes(const RunRecord& run, const std::vector<SceneProbe>& specs) {
   return htmlCharts(charts) + html;
 }
 
-/// Writes the page to turn, of the same frames and the same field, and returns a link to it.
-std::string linkedView(const RunRecord& run, const ReportOptions& report, const std::filesystem::path& html) {
-  const int count = run.result.numFrames();
-  if (!report.turn || count == 0) return "";
-  const std::vector<int> frames = evenlyChosen(count, report.frames);
+/// The page to turn, of the same frames and the same field.
+HtmlPage turnedPage(const RunRecord& run, const ReportOptions& report, const std::filesystem::path& html) {
+  const std::vector<int> frames = evenlyChosen(run.result.numFrames(), report.frames);
   ViewOptions options;
   static_cast<PictureOptions&>(options) = report.picture;
   options.cut.reset();  // the person at the page cuts
@@ -108,10 +106,7 @@ std::string linkedView(const RunRecord& run, const ReportOptions& report, const 
   options.arrows = ArrowField::None;
   options.controlNet = false;
   const std::string field = contourOptions(report.picture, run.result, run.result.frame(frames.back())).field;
-  const std::filesystem::path view = viewBeside(html);
-  writeView(run.result, frames, {field}, options, view);
-  const std::string name = escaped(view.filename().string());
-  return fmt::format("<p><a href=\"{0}\">{0}</a> shows the body to be turned, zoomed and cut.</p>\n", name);
+  return viewPage(run.result, frames, {field}, options, html);
 }
 
 /// Seconds by part of the program, with a bar for the share.
@@ -142,16 +137,22 @@ HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& op
   std::string body = fmt::format("<header>\n<h1>{}</h1>\n<p>Report of the run {} by {}.</p>\n",
                                  escaped(title), escaped(run.name), escaped(programName()));
   const std::vector<SceneProbe> specs = probesOf(directory);
+  std::optional<HtmlPage> turned;
+  if (options.turn && run.result.numFrames() > 0) turned = turnedPage(run, options, html);
   std::vector<std::pair<std::string, std::string>> parts{
-      {"warnings", "Warnings"}, {"summary", "Summary"},  {"pictures", "Pictures"},
-      {"probes", "Probes"},     {"charts", "Charts"},    {"convergence", "Convergence"},
-      {"timings", "Timings"},   {"settings", "Settings"}};
+      {"warnings", "Warnings"},       {"summary", "Summary"},
+      {"pictures", "Pictures"},       {"turned", "Body"},
+      {"probes", "Probes"},           {"charts", "Charts"},
+      {"convergence", "Convergence"}, {"timings", "Timings"},
+      {"settings", "Settings"}};
   if (specs.empty()) std::erase(parts, std::pair<std::string, std::string>("probes", "Probes"));
+  if (!turned) std::erase(parts, std::pair<std::string, std::string>("turned", "Body"));
   body += htmlContents(parts);
   body += "</header>\n<main>\n";
   body += htmlCard("warnings", "Warnings", htmlWarnings(warnings), warnings.empty() ? "good" : "bad");
   body += htmlCard("summary", "Summary", htmlFacts(runFacts(run)));
-  body += htmlCard("pictures", "Pictures", pictures(run, options) + linkedView(run, options, html));
+  body += htmlCard("pictures", "Pictures", pictures(run, options));
+  if (turned) body += htmlCard("turned", "Body", framed(*turned, "The body to be turned, zoomed and cut"));
   if (!specs.empty()) body += htmlCard("probes", "Probes", probes(run, specs));
   body += htmlCard("charts", "Charts", htmlCharts(stateCharts(run)));
   body += htmlCard("convergence", "Convergence", htmlCharts(convergenceCharts(run)));
@@ -159,7 +160,9 @@ HtmlPage runPage(const std::filesystem::path& directory, const ReportOptions& op
   body += htmlCard("settings", "Settings",
                    fmt::format("<p>The scene with every default filled in.</p>\n<pre>{}</pre>\n",
                                escaped(model.sceneYaml)));
-  return {title, {}, body + "</main>\n", {}};
+  HtmlPage page{title, {}, body + "</main>\n"};
+  if (turned) page.framedHashes = {turned->scriptHash};
+  return page;
 }
 
 }  // namespace burnish

@@ -38,17 +38,24 @@ std::string filled(std::string_view text,
 
 std::string htmlText(const HtmlPage& page) {
   const bool isAlone = !page.styleHash.empty();
+  std::string scripts = page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash);
+  for (const std::string& hash : page.framedHashes) scripts += ' ' + sourceOfHash(hash);
   return filled(
       kCommonPage,
       {{"/*reload*/", page.reloadSeconds > 0
                           ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", page.reloadSeconds)
                           : ""},
        {"/*style-source*/", isAlone ? sourceOfHash(page.styleHash) : "'unsafe-inline'"},
-       {"/*script-source*/", page.script.empty() ? "'none'" : sourceOfHash(page.scriptHash)},
+       {"/*script-source*/", scripts},
        {"/*title*/", escaped(page.title)},
        {"/*style*/", isAlone ? page.style : kCommonStyle + page.style},
        {"/*body*/", page.body},
        {"/*script*/", page.script}});
+}
+
+std::string framed(const HtmlPage& page, const std::string& name) {
+  return fmt::format("<iframe title=\"{}\" srcdoc=\"{}\"></iframe>\n", escaped(name),
+                     escaped(htmlText(page)));
 }
 
 std::string escaped(const std::string& text) {

@@ -12,10 +12,14 @@ namespace burnish {
 struct HtmlPage {
   std::string title, style, body;
   std::string script{}, scriptHash{}, styleHash{};
-  int reloadSeconds = 0;  ///< after which the page loads itself again; 0: never
+  std::vector<std::string> framedHashes{};  ///< of the scripts of pages that stand in it, see `framed`
+  int reloadSeconds = 0;                    ///< after which the page loads itself again; 0: never
 };
 
 std::string htmlText(const HtmlPage& page);
+
+/// An element that shows a page within another one, which must allow the script of it. name: for readers that do not see it.
+std::string framed(const HtmlPage& page, const std::string& name);
 
 /// A text with its marks replaced; each stands in it once, in this order.
 std::string filled(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& marks);

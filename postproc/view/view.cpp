@@ -360,9 +360,9 @@ void requireSize(std::size_t bytes, int dim, const ViewOptions& options, const s
 
 }  // namespace
 
-std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
-                      const std::vector<std::string>& fields, const ViewOptions& options,
-                      const std::filesystem::path& html) {
+HtmlPage viewPage(const ResultReader& result, const std::vector<int>& frames,
+                  const std::vector<std::string>& fields, const ViewOptions& options,
+                  const std::filesystem::path& html) {
   PageData data(result, fields.empty() ? usualFields(result, frames.back()) : fields, options);
   for (const int frame : frames) {
     data.add(frame);
@@ -372,14 +372,21 @@ std::size_t writeView(const ResultReader& result, const std::vector<int>& frames
   const std::string picture =
       framePicture(result, result.frame(frames.back()), data.pictureOptions(), scratch.path());
   const Json::Value json = data.json();
-  const std::string text = htmlText(
-      {.title = nameOf(json["title"].asString(), result),
-       .style = kViewStyle,
-       .body = filled(kViewPage, {{"/*picture*/", pngUri(picture)}, {"/*data*/", scriptText(json, kDigits)}}),
-       .script = kViewScript,
-       .scriptHash = kViewScriptHash,
-       .styleHash = kViewStyleHash});
-  requireSize(text.size(), result.model().dim, options, html);
+  HtmlPage page{
+      .title = nameOf(json["title"].asString(), result),
+      .style = kViewStyle,
+      .body = filled(kViewPage, {{"/*picture*/", pngUri(picture)}, {"/*data*/", scriptText(json, kDigits)}}),
+      .script = kViewScript,
+      .scriptHash = kViewScriptHash,
+      .styleHash = kViewStyleHash};
+  requireSize(page.style.size() + page.body.size() + page.script.size(), result.model().dim, options, html);
+  return page;
+}
+
+std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
+                      const std::vector<std::string>& fields, const ViewOptions& options,
+                      const std::filesystem::path& html) {
+  const std::string text = htmlText(viewPage(result, frames, fields, options, html));
   writeText(text, html);
   return text.size();
 }

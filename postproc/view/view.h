@@ -6,6 +6,7 @@
 
 #include "engine/results/result_reader.h"
 #include "postproc/draw/contour/picture_options.h"
+#include "postproc/text/page.h"
 
 namespace burnish {
 
@@ -40,13 +41,18 @@ void describe(Visitor& v, ViewOptions& s) {
   v.field("max_size", s.maxSize, {.above = 0, .atMost = 1000}, "Largest size of the page, in MB.");
 }
 
-/// Writes a page that shows the bodies of these frames (ascending, at least one) with these fields, drawn from
+/// A page that shows the bodies of these frames (ascending, at least one) with these fields, drawn from
 /// their control coefficients by the reader's graphics card; without one it has a picture of the last frame. It
 /// is one file that asks nothing of the network. fields: names as `PictureOptions::field` has them, the first
 /// is shown at first; without any, those that are there of plastic strain, von Mises stress and displacement.
-/// Colours of a field go over all of these frames. Returns the size in bytes. Throws `Error` for an unknown
-/// field, warped or clipped ones of contact, values that are not finite, a page above `maxSize`, and a file that cannot be
-/// written.
+/// Colours of a field go over all of these frames. Throws `Error` for an unknown
+/// field, warped or clipped ones of contact, values that are not finite, and a page above `maxSize`. html: the file of which such an
+/// error tells.
+HtmlPage viewPage(const ResultReader& result, const std::vector<int>& frames,
+                  const std::vector<std::string>& fields, const ViewOptions& options,
+                  const std::filesystem::path& html);
+
+/// Writes this page. Returns the size in bytes. Throws `Error` as above, and for a file that cannot be written.
 std::size_t writeView(const ResultReader& result, const std::vector<int>& frames,
                       const std::vector<std::string>& fields, const ViewOptions& options,
                       const std::filesystem::path& html);

@@ -20,11 +20,11 @@ inline bool haveBrowser() {
 inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::path& page,
                        const std::string& script, const std::string& flags = "") {
   std::string html = readText(page) + script;
-  const auto replace = [&html](const std::string& part, const std::string& replacement) {
-    html.replace(html.rfind(part), part.size(), replacement);
+  const auto replace = [&html](std::size_t at, const std::string& part, const std::string& replacement) {
+    html.replace(at, part.size(), replacement);
   };
-  replace("<script>", "<script nonce=\"test\">");
-  replace("script-src ", "script-src 'nonce-test' ");
+  replace(html.rfind("<script>"), "<script>", "<script nonce=\"test\">");
+  replace(html.find("script-src "), "script-src ", "script-src 'nonce-test' ");
   writeText(html, dir / "used.html");
   Outcome outcome = shell(dir, "timeout 100 " BURNISH_CHROMIUM
                                " --headless --no-sandbox --disable-gpu --enable-logging=stderr"

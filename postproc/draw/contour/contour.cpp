@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -405,16 +406,12 @@ class ContourPicture {
       for (auto& shape : shapes) sketch.shapes.emplace_back(std::move(shape));
     };
     const View& view = plan.layout.view;
-    std::optional<SeenLines> seen;
-    if (!isFlat()) {
-      std::vector<HidingSurface> hiding;
-      for (const SpaceSurface& surface : surfaces(plan))
-        hiding.push_back({surface.shape, liftOf(surface.layer, view), surface.opacity});
-      seen.emplace(hiding, view);
-      if (options_.hiddenLines == HiddenLines::Dashed)
-        for (const HiddenLine& line : hiddenLines(plan))
-          sketch.shapes.emplace_back(pageDashes(*line.lines, view, theme_.outline, line.width, dashes()));
-    }
+    std::unique_ptr<SeenLines> seen;
+    if (!isFlat()) seen = seenLines(plan);
+    if (seen && options_.hiddenLines == HiddenLines::Dashed)
+      for (const HiddenLine& line : hiddenLines(plan, *seen))
+        for (const auto& [color, width] : dashLooks(line.width))
+          sketch.shapes.emplace_back(pageDashes(*line.lines, view, color, width, dashes()));
     for (const SpaceLines& part : allLines(plan)) {
       if (!seen)
         sketch.shapes.emplace_back(part.isDots
@@ -431,7 +428,7 @@ class ContourPicture {
       addPageAreas(sketch, *parts_.arrows.edges, view, kWhite, kBlack, kArrowEdge * lineWidth());
     if (parts_.arrows.darkAreas)
       addPageAreas(sketch, *parts_.arrows.darkEdges, view, kBlack, kWhite, kArrowEdge * lineWidth());
-    addPageMarks(sketch, view, seen ? &*seen : nullptr);
+    addPageMarks(sketch, view, seen.get());
     return sketch;
   }
 
@@ -589,23 +586,37 @@ class ContourPicture {
     return all;
   }
 
-  Dashes dashes() const { return {.length = 0.5 * textSize_, .share = 0.55, .opacity = 0.45}; }
+  Dashes dashes() const { return {.length = 0.5 * textSize_, .share = 0.55, .opacity = 0.6}; }
 
-  /// With `kWayAlong`, of edges that are dashed where they are hidden.
+  /// What of lines in space is seen behind the surfaces.
+  std::unique_ptr<SeenLines> seenLines(const Plan& plan) const {
+    const View& view = plan.layout.view;
+    std::vector<HidingSurface> hiding;
+    for (const SpaceSurface& surface : surfaces(plan))
+      hiding.push_back({surface.shape, liftOf(surface.layer, view), surface.opacity});
+    return std::make_unique<SeenLines>(hiding, view);
+  }
+
+  /// With `kWayAlong`, where edges are hidden.
   struct HiddenLine {
     vtkSmartPointer<vtkPolyData> lines;
     double width;  ///< in pixels of the picture
   };
 
-  std::vector<HiddenLine> hiddenLines(const Plan& plan) const {
+  std::vector<HiddenLine> hiddenLines(const Plan& plan, const SeenLines& seen) const {
+    const View& view = plan.layout.view;
     std::vector<HiddenLine> all;
-    const auto add = [&](vtkPolyData& lines, double width) {
-      if (lines.GetNumberOfLines() > 0) all.push_back({withWayAlong(lines, plan.layout.view), width});
-    };
-    add(*parts_.outline, lineWidth());
-    for (const ToolDrawing& drawing : plan.tools)
-      if (drawing.lines) add(*drawing.lines, kToolLine * lineWidth());
+    for (const SpaceLines& part : allLines(plan)) {
+      if (part.lines != parts_.outline && part.layer != kToolLines) continue;
+      const auto hidden = seen.hiddenOf(*part.lines, liftOf(part, view), part.width);
+      if (hidden->GetNumberOfLines() > 0) all.push_back({withWayAlong(*hidden, view), part.width});
+    }
     return all;
+  }
+
+  /// Of a dashed line from below to above: light beside the dark, which is seen on every colour.
+  std::array<std::pair<Color, double>, 2> dashLooks(double width) const {
+    return {std::pair(theme_.paper, 2.4 * width), std::pair(theme_.outline, width)};
   }
 
   /// Where a plane picture ends within a tool, in pixels; none where a frame says it.
@@ -692,8 +703,9 @@ class ContourPicture {
     }
     if (isFlat()) drawToolBreaks(renderer, scale, plan);
     if (options_.hiddenLines == HiddenLines::Dashed && !isFlat())
-      for (const HiddenLine& line : hiddenLines(plan))
-        renderer.AddActor(dashedActor(*line.lines, theme_.outline, scale * line.width, dashes()));
+      for (const HiddenLine& line : hiddenLines(plan, *seenLines(plan)))
+        for (const auto& [color, width] : dashLooks(line.width))
+          renderer.AddActor(dashedActor(*line.lines, color, scale * width, dashes()));
     const ContourArrows& arrows = parts_.arrows;
     if (arrows.areas) drawArrows(renderer, *arrows.areas, *arrows.edges, kWhite, scale * lineWidth(), view);
     if (arrows.darkAreas)

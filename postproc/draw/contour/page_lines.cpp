@@ -194,8 +194,11 @@ PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, do
 std::vector<PageLines> pageLines(vtkPolyData& lines, const View& view, const Color& color, double width,
                                  double opacity, const SeenLines& seen, double lift) {
   SeenTogether together({{}, width, color, opacity, true, view.area});
-  for (SeenLines::Piece& piece : seen.piecesOf(*inFewPieces(lines), lift, width))
-    together.add(std::move(piece.points), piece.share);
+  for (const SeenLines::Piece& piece : seen.piecesOf(*inFewPieces(lines), lift, width)) {
+    PagePoints points;
+    for (const Eigen::Vector3d& place : piece.places) points.push_back(view.pixel(place));
+    together.add(std::move(points), piece.share);
+  }
   return together.lines();
 }
 

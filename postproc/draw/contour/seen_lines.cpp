@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "postproc/draw/contour/ray_stops.h"
+#include "postproc/mesh/poly_builder.h"
 
 namespace burnish {
 namespace {
@@ -105,7 +106,7 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
         return std::max({share, shareAt(at(part) + side, lift), shareAt(at(part) - side, lift)});
       };
       double share = shareOf(0.0);
-      if (pieces.empty() || pieces.back().share != share) pieces.push_back({{begin}, share});
+      if (pieces.empty() || pieces.back().share != share) pieces.push_back({{from}, share});
       const double steps =
           isBeside(view_.area, begin, end) ? 1.0 : std::max(1.0, std::ceil(pixels / kPixelsOfStep));
       for (double step = 0.0; step < steps; ++step) {
@@ -116,14 +117,14 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
           const double middle = 0.5 * (before + after);
           (shareOf(middle) == share ? before : after) = middle;
         }
-        const Eigen::Vector2d border = view_.pixel(at(after));
-        pieces.back().points.push_back(border);
+        const Eigen::Vector3d border = at(after);
+        pieces.back().places.push_back(border);
         pieces.push_back({{border}, next});
         share = next;
       }
-      pieces.back().points.push_back(end);
+      pieces.back().places.push_back(line[k + 1]);
     }
-    std::erase_if(pieces, [](const Piece& piece) { return piece.share == 0.0 || piece.points.size() < 2; });
+    std::erase_if(pieces, [](const Piece& piece) { return piece.places.size() < 2; });
   };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k)
@@ -133,6 +134,18 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
   for (std::vector<Piece>& of : found)
     pieces.insert(pieces.end(), std::make_move_iterator(of.begin()), std::make_move_iterator(of.end()));
   return pieces;
+}
+
+vtkSmartPointer<vtkPolyData> SeenLines::hiddenOf(vtkPolyData& lines, double lift, double width) const {
+  PolyBuilder builder;
+  for (const Piece& piece : piecesOf(lines, lift, width)) {
+    if (piece.share == 1.0) continue;
+    Eigen::Matrix3Xd places(3, std::ssize(piece.places));
+    for (std::size_t k = 0; k < piece.places.size(); ++k)
+      places.col(static_cast<Eigen::Index>(k)) = piece.places[k];
+    builder.addLine(builder.addPoints(places));
+  }
+  return builder.finish();
 }
 
 }  // namespace burnish

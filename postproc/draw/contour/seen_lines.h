@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "postproc/draw/page/page_sketch.h"
 #include "postproc/draw/page/view.h"
 
 class vtkPolyData;
@@ -33,14 +32,17 @@ class SeenLines {
 
   /// A part of a line that is behind the same surfaces everywhere.
   struct Piece {
-    PagePoints points;  ///< in pixels
-    double share;       ///< of its darkness that comes through
+    std::vector<Eigen::Vector3d> places;
+    double share;  ///< of its darkness that comes through
   };
 
-  /// The parts of polylines of which the middle or one of the sides is seen in the area of the view, or which may be beside it: of one
+  /// The parts of polylines, seen are those of which the middle or one of the sides is seen in the area of the view, or which may be beside it: of one
   /// round a surface the side beyond it. What is hidden or seen over less than a quarter of a pixel may be missed. lift: towards
   /// the eye, as they are drawn. width: in pixels.
   std::vector<Piece> piecesOf(vtkPolyData& lines, double lift, double width) const;
+
+  /// The parts that are hidden, or seen through something.
+  vtkSmartPointer<vtkPolyData> hiddenOf(vtkPolyData& lines, double lift, double width) const;
 
   /// What comes through of the darkness of a point.
   double shareAt(const Eigen::Vector3d& point, double lift) const;

@@ -37,8 +37,7 @@ struct Dashes {
   double opacity;
 };
 
-/// Lines with `kWayAlong`, in front of everything, dashed and pale: over what is seen of them anyway they change
-/// nothing.
+/// Lines with `kWayAlong`, in front of everything, dashed.
 vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, double width,
                                       const Dashes& dashes);
 

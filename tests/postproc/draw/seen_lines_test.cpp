@@ -43,12 +43,10 @@ struct Span {
   double begin, end, share;
 };
 
-/// In lengths from the middle.
 std::vector<Span> spansOf(const SeenLines& seen, vtkPolyData& lines, double lift) {
   std::vector<Span> spans;
   for (const SeenLines::Piece& piece : seen.piecesOf(lines, lift, 1.0))
-    spans.push_back(
-        {(piece.points.front().x() - 500.0) / 100.0, (piece.points.back().x() - 500.0) / 100.0, piece.share});
+    if (piece.share > 0.0) spans.push_back({piece.places.front().x(), piece.places.back().x(), piece.share});
   return spans;
 }
 
@@ -76,6 +74,14 @@ TEST(SeenLines, AreLessDarkBehindGlass) {
   EXPECT_DOUBLE_EQ(middleOf(0.0), 0.7 * 0.7);
   EXPECT_DOUBLE_EQ(middleOf(1.5), 0.7);
   EXPECT_EQ(spansOf(seen, *along(0.0, 2.5), 0.0).size(), 1);
+}
+
+TEST(SeenLines, AreWholeWithWhatIsHidden) {
+  const SeenLines seen({{plate(1.0), 0.0, 1.0}}, fromAbove());
+  const auto hidden = seen.hiddenOf(*along(0.0, 0.0), 0.0, 1.0);
+  ASSERT_EQ(hidden->GetNumberOfLines(), 1);
+  EXPECT_NEAR(hidden->GetBounds()[0], -1.0, 0.01 * kOfEnd);
+  EXPECT_NEAR(hidden->GetBounds()[1], 1.0, 0.01 * kOfEnd);
 }
 
 /// As the outline of a face that is drawn over its body.
@@ -112,7 +118,7 @@ TEST(SeenLines, FarFromTheOriginAreTheSame) {
   const SeenLines seen({{moved(plate(1.0)), 0.0, 1.0}}, view);
   const std::vector<Span> spans = spansOf(seen, *moved(along(0.0, 0.0)), 0.0);
   ASSERT_EQ(spans.size(), 2);
-  EXPECT_NEAR(spans[0].end, -1.0, 0.01 * kOfEnd);
+  EXPECT_NEAR(spans[0].end, kAway - 1.0, 0.01 * kOfEnd);
 }
 
 }  // namespace
