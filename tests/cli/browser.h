@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "postproc/text/text_file.h"
@@ -12,6 +13,9 @@ namespace burnish {
 inline bool haveBrowser() {
   return std::filesystem::exists(BURNISH_CHROMIUM);
 }
+
+/// WebGL needs a graphics card or Chromium's own software for one.
+inline constexpr const char* kWebGl = "--enable-unsafe-swiftshader";
 
 /// Opens a page with a script (HTML) behind it, which its policy then lets in, that uses the page as a person
 /// does and writes what it finds into a last <pre>, whose text is `out`. `err` has a line with CONSOLE for
@@ -32,6 +36,16 @@ inline Outcome usePage(const std::filesystem::path& dir, const std::filesystem::
                                    flags + " used.html");
   outcome.out.erase(0, std::min(outcome.out.rfind("<pre>"), outcome.out.size()));
   return outcome;
+}
+
+/// Errors and warnings of a page that was used; the driver's remarks on its speed are none.
+inline std::string complaintsOf(const Outcome& page) {
+  std::string complaints;
+  std::istringstream lines(page.err);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("CONSOLE") != std::string::npos && line.find("GL Driver Message") == std::string::npos)
+      complaints += line + "\n";
+  return complaints;
 }
 
 }  // namespace burnish

@@ -31,9 +31,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// Needs a graphics card or Chromium's own software for one.
-constexpr const char* kWebGl = "--enable-unsafe-swiftshader";
-
 class ViewCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -69,17 +66,12 @@ class ViewCommand : public testing::Test {
                     "document.createElement(\"pre\"), {textContent: found.join(\"\\n\")}));\n})();</script>",
                 flags);
     EXPECT_EQ(page.code, 0) << page.err;
-    console.clear();
-    std::istringstream lines(page.err);
-    for (std::string line; std::getline(lines, line);)
-      if (line.find("CONSOLE") != std::string::npos && line.find("GL Driver Message") == std::string::npos)
-        console += line + "\n";
+    console = complaintsOf(page);
     return page.out;
   }
 
   const fs::path dir = fs::temp_directory_path() / ("burnish_view_command_" + std::to_string(::getpid()));
-  mutable std::string
-      console;  ///< errors and warnings of the page; the driver's remarks on its speed are none
+  mutable std::string console;  ///< `complaintsOf` the page
 };
 
 /// The number behind a word of what was found.

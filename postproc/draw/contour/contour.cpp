@@ -410,8 +410,8 @@ class ContourPicture {
     if (!isFlat()) seen = seenLines(plan);
     if (seen && options_.hiddenLines == HiddenLines::Dashed)
       for (const HiddenLine& line : hiddenLines(plan, *seen))
-        for (const auto& [color, width] : dashLooks(line.width))
-          sketch.shapes.emplace_back(pageDashes(*line.lines, view, color, width, dashes()));
+        for (const DashLook& look : dashLooks(line.width))
+          sketch.shapes.emplace_back(pageDashes(*line.lines, view, look.color, look.width, look.dashes));
     for (const SpaceLines& part : allLines(plan)) {
       if (!seen)
         sketch.shapes.emplace_back(part.isDots
@@ -586,8 +586,6 @@ class ContourPicture {
     return all;
   }
 
-  Dashes dashes() const { return {.length = 0.5 * textSize_, .share = 0.55, .opacity = 0.6}; }
-
   /// What of lines in space is seen behind the surfaces.
   std::unique_ptr<SeenLines> seenLines(const Plan& plan) const {
     const View& view = plan.layout.view;
@@ -614,9 +612,16 @@ class ContourPicture {
     return all;
   }
 
-  /// Of a dashed line from below to above: light beside the dark, which is seen on every colour.
-  std::array<std::pair<Color, double>, 2> dashLooks(double width) const {
-    return {std::pair(theme_.paper, 2.4 * width), std::pair(theme_.outline, width)};
+  /// One over the other: light beside the dark, which is seen on every colour.
+  struct DashLook {
+    Color color;
+    double width;  ///< in pixels of the picture
+    Dashes dashes;
+  };
+  std::array<DashLook, 2> dashLooks(double width) const {
+    const double length = 0.5 * textSize_, share = 0.55;
+    return {DashLook{theme_.paper, 1.9 * width, {length, share, 0.5, 0}},
+            DashLook{theme_.outline, width, {length, share, 0.6, 1}}};
   }
 
   /// Where a plane picture ends within a tool, in pixels; none where a frame says it.
@@ -704,8 +709,8 @@ class ContourPicture {
     if (isFlat()) drawToolBreaks(renderer, scale, plan);
     if (options_.hiddenLines == HiddenLines::Dashed && !isFlat())
       for (const HiddenLine& line : hiddenLines(plan, *seenLines(plan)))
-        for (const auto& [color, width] : dashLooks(line.width))
-          renderer.AddActor(dashedActor(*line.lines, color, scale * width, dashes()));
+        for (const DashLook& look : dashLooks(line.width))
+          renderer.AddActor(dashedActor(*line.lines, look.color, scale * look.width, look.dashes));
     const ContourArrows& arrows = parts_.arrows;
     if (arrows.areas) drawArrows(renderer, *arrows.areas, *arrows.edges, kWhite, scale * lineWidth(), view);
     if (arrows.darkAreas)

@@ -138,8 +138,9 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
 
 vtkSmartPointer<vtkPolyData> SeenLines::hiddenOf(vtkPolyData& lines, double lift, double width) const {
   PolyBuilder builder;
+  constexpr double kHidden = 0.25;
   for (const Piece& piece : piecesOf(lines, lift, width)) {
-    if (piece.share == 1.0) continue;
+    if (piece.share > kHidden) continue;
     Eigen::Matrix3Xd places(3, std::ssize(piece.places));
     for (std::size_t k = 0; k < piece.places.size(); ++k)
       places.col(static_cast<Eigen::Index>(k)) = piece.places[k];

@@ -41,7 +41,7 @@ class SeenLines {
   /// the eye, as they are drawn. width: in pixels.
   std::vector<Piece> piecesOf(vtkPolyData& lines, double lift, double width) const;
 
-  /// The parts that are hidden, or seen through something.
+  /// The parts of which hardly anything is seen.
   vtkSmartPointer<vtkPolyData> hiddenOf(vtkPolyData& lines, double lift, double width) const;
 
   /// What comes through of the darkness of a point.

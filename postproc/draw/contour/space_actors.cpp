@@ -222,10 +222,12 @@ vtkSmartPointer<vtkActor> dashedActor(vtkPolyData& lines, const Color& color, do
   vtkShaderProperty& shaders = *actor->GetShaderProperty();
   shaders.AddVertexShaderReplacement(
       "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin float wayMC;\nout float wayVCVSOutput;\n", false);
-  shaders.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
-                                     "//VTK::PositionVC::Impl\n  wayVCVSOutput = wayMC;\n"
-                                     "  gl_Position.z = 1e-4 * gl_Position.z - 0.999 * gl_Position.w;\n",
-                                     false);
+  shaders.AddVertexShaderReplacement(
+      "//VTK::PositionVC::Impl", true,
+      fmt::format("//VTK::PositionVC::Impl\n  wayVCVSOutput = wayMC;\n"
+                  "  gl_Position.z = 1e-4 * gl_Position.z - {:.4f} * gl_Position.w;\n",
+                  0.999 + 3e-4 * dashes.number),
+      false);
   shaders.AddGeometryShaderReplacement(
       "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin float wayVCVSOutput[];\nout float wayVCGSOutput;\n",
       false);

@@ -35,6 +35,7 @@ struct Dashes {
   double length;  ///< of a dash with its gap, in pixels of the view
   double share;   ///< of it that is drawn
   double opacity;
+  int number = 0;  ///< those of a higher one are before those of lower ones
 };
 
 /// Lines with `kWayAlong`, in front of everything, dashed.
