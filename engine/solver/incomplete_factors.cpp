@@ -63,17 +63,24 @@ void multiplyBlock(const double* D, const double* x, double* y) {
 
 }  // namespace
 
-bool IncompleteFactors::factorise(const SparseRows& A) {
+std::optional<double> IncompleteFactors::nextShift(double shift) {
+  const double next = shift > 0.0 ? kNextShift * shift : kFirstShift;
+  return next < kMostShift ? std::optional(next) : std::nullopt;
+}
+
+bool IncompleteFactors::factorise(const SparseRows& A, double leastShift) {
   inverses_.resize(static_cast<std::size_t>(groups_->size()));
   for (auto& row : row_) row.assign(static_cast<std::size_t>(groups_->numRows() + ChunkedRows::kBehind), 0.0);
-  shift_ = 0.0;
-  bool isDone = factoriseShifted(A);
-  if (!isDone) sumMagnitudes(A);
-  for (double shift = kFirstShift; !isDone && shift < kMostShift; shift *= kNextShift) {
-    shift_ = shift;
-    isDone = factoriseShifted(A);
+  bool hasMagnitudes = false;
+  for (std::optional<double> shift = leastShift; shift; shift = nextShift(*shift)) {
+    if (*shift > 0.0 && !hasMagnitudes) {
+      sumMagnitudes(A);
+      hasMagnitudes = true;
+    }
+    shift_ = *shift;
+    if (factoriseShifted(A)) return true;
   }
-  return isDone;
+  return false;
 }
 
 /// As of a symmetric matrix, of what is on the diagonal and above it.

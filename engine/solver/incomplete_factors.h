@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/solver/chunked_rows.h"
@@ -15,7 +16,11 @@ class IncompleteFactors {
 
   /// Where a block is not positive definite or nearly so, those of A + α S, S(i, i) the sum of magnitudes in row i: with the first α of
   /// 0.001, 0.004, ... that has factors, as that beyond 1 has where rows are not zero (Manteuffel 1980). False if there are none.
-  bool factorise(const SparseRows& A);
+  /// leastShift: 0 or one of these, from which on they are tried.
+  bool factorise(const SparseRows& A, double leastShift = 0.0);
+
+  /// The one of the α after this one; none after the last.
+  static std::optional<double> nextShift(double shift);
 
   /// α of the present factors.
   double shift() const { return shift_; }

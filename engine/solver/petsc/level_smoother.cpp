@@ -71,11 +71,11 @@ LevelSmoother::LevelSmoother(Mat A, const RowGroups& groups, bool overlaps)
                              reinterpret_cast<void (*)()>(static_cast<Operation>(multiplyBy))));
 }
 
-bool LevelSmoother::assign(Mat A) {
+bool LevelSmoother::assign(Mat A, double leastShift) {
   const MatrixBlocks blocks(A);
   diagonal_.assign(rowsOf(blocks.diagonal));
   if (ghosts_) check(MatCopy(blocks.offDiagonal, offDiagonal_, SAME_NONZERO_PATTERN));
-  return factors_.factorise(overlap_ ? overlap_->assign(A) : rowsOf(blocks.diagonal));
+  return factors_.factorise(overlap_ ? overlap_->assign(A) : rowsOf(blocks.diagonal), leastShift);
 }
 
 void LevelSmoother::attachTo(PC preconditioner) {

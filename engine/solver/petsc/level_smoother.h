@@ -18,8 +18,8 @@ class LevelSmoother {
   LevelSmoother(const LevelSmoother&) = delete;
   LevelSmoother& operator=(const LevelSmoother&) = delete;
 
-  /// False if this rank has no factors. What is kept of A is a copy.
-  bool assign(Mat A);
+  /// False if this rank has no factors. What is kept of A is a copy. leastShift: see `IncompleteFactors`.
+  bool assign(Mat A, double leastShift);
 
   /// Of this rank's factors. The eigenvalues that they leave depend on it.
   double shift() const { return factors_.shift(); }

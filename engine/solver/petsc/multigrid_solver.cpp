@@ -56,6 +56,10 @@ constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingWithProducts = 0.4;
 /// that coarser meshes leave to one step, and from those that are left where one does not do.
 constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1, kSmallestWithProducts = 0.05;
 
+/// A larger eigenvalue of a matrix with its factors comes from few functions for which these are almost singular, where all others are
+/// below 7: what a smoother's polynomial is then made for leaves the others as they are. A larger shift has factors without such ones.
+constexpr double kMostOfFactors = 12.0;
+
 /// Searches that go without incomplete factors after a search that has needed to.
 constexpr int kMostWithout = 64;
 
@@ -108,6 +112,7 @@ class MultigridSolver::Implementation {
         divisions_.push_back(std::move(columns));
       }
     }
+    leastShifts_.assign(prolongations_.size(), 0.0);
     const auto rank = static_cast<std::size_t>(team_.rank());
     first_ = begins_[rank];
     n_ = begins_[rank + 1] - begins_[rank];
@@ -184,6 +189,7 @@ class MultigridSolver::Implementation {
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
     archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesMoreSteps_);
+    archive.fixedField("least_shifts", leastShifts_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
@@ -191,10 +197,18 @@ class MultigridSolver::Implementation {
   /// Of the present matrix.
   bool setUpCycle() {
     makeCoarseMatrices();
+    do {
+      if (!setUpLevels()) return setUpCycle();
+    } while (isSetUp_ && raiseShifts());
+    return isSetUp_;
+  }
+
+  /// Of matrices that have been made; false if the cycle has to be another one, without factors.
+  bool setUpLevels() {
     if (cycle_ == nullptr) makeCycle();
     if (!team_.all(setUpSmoothers())) {
       goOnWithoutFactors();
-      return setUpCycle();
+      return false;
     }
     knowsSpectra_ = team_.all(knowsSpectra_);
     if (!knowsSpectra_)
@@ -206,7 +220,22 @@ class MultigridSolver::Implementation {
     isSetUp_ = team_.all(PCSetUp(cycle_) == 0);
     if (isSetUp_ && !knowsSpectra_) keepSpectra();
     knowsSpectra_ = isSetUp_;
-    return isSetUp_;
+    return true;
+  }
+
+  /// Of factors that leave an eigenvalue which is too large; false if there are none.
+  bool raiseShifts() {
+    bool isRaised = false;
+    for (std::size_t k = 0; k < smoothers_.size(); ++k) {
+      if (spectra_[smoothers_.size() - 1 - k] <= kMostOfFactors) continue;
+      const std::optional<double> next = IncompleteFactors::nextShift(leastShifts_[k]);
+      if (!next) continue;
+      leastShifts_[k] = *next;
+      petsc::noteChangedValues(matrixOf(k));
+      isRaised = true;
+    }
+    if (isRaised) knowsSpectra_ = false;
+    return isRaised;
   }
 
   /// Those of all levels below the finest one.
@@ -240,7 +269,7 @@ class MultigridSolver::Implementation {
       Mat product = entries;
       if (k < smoothers_.size()) {
         const double shift = smoothers_[k]->shift();
-        if (!smoothers_[k]->assign(entries)) hasFactors = false;
+        if (!smoothers_[k]->assign(entries, leastShifts_[k])) hasFactors = false;
         knowsSpectra_ = knowsSpectra_ && smoothers_[k]->shift() == shift;
         product = k == 0 && smoothsWithProducts() ? static_cast<Mat>(rough_) : smoothers_[k]->product();
       }
@@ -765,7 +794,8 @@ class MultigridSolver::Implementation {
   std::vector<std::unique_ptr<DividedProduct>> divided_;  ///< the same of several ranks
   std::vector<RowGroups> coarseGroups_;                   ///< of the diagonal blocks of those
   std::vector<std::unique_ptr<LevelSmoother>>
-      smoothers_;  ///< of all levels but the coarsest, if the cycle has factors
+      smoothers_;                    ///< of all levels but the coarsest, if the cycle has factors
+  std::vector<double> leastShifts_;  ///< of the factors of these
 
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;
