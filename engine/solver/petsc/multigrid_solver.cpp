@@ -228,7 +228,9 @@ class MultigridSolver::Implementation {
     bool isRaised = false;
     for (std::size_t k = 0; k < smoothers_.size(); ++k) {
       if (spectra_[smoothers_.size() - 1 - k] <= kMostOfFactors) continue;
-      const std::optional<double> next = IncompleteFactors::nextShift(leastShifts_[k]);
+      // Ranks may have several shifts, and raise one together.
+      const double shift = team_.isAlone() ? smoothers_[k]->shift() : leastShifts_[k];
+      const std::optional<double> next = IncompleteFactors::nextShift(shift);
       if (!next) continue;
       leastShifts_[k] = *next;
       petsc::noteChangedValues(matrixOf(k));
