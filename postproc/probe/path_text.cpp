@@ -62,6 +62,8 @@ DepthPath depthIn(const ProbeSpec& spec, int dim) {
 }  // namespace
 
 ProbePath pathOf(const ProbeSpec& spec, int dim) {
+  if (!spec.line.empty() && !spec.face.empty())
+    return LaidPath{{spec.face, spec.patch}, lineIn(spec.line, dim)};
   if (!spec.line.empty()) return lineIn(spec.line, dim);
   if (!spec.face.empty()) return FacePath{{spec.face, spec.patch}};
   return depthIn(spec, dim);

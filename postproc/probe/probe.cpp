@@ -13,6 +13,8 @@
 #include "engine/nurbs/arc_length_curve.h"
 #include "engine/solid/face_quadrature.h"
 #include "postproc/probe/body_locator.h"
+#include "postproc/probe/laid_line.h"
+#include "postproc/probe/nearest_on_face.h"
 #include "postproc/probe/path_samples.h"
 
 namespace burnish {
@@ -23,7 +25,6 @@ namespace {
 constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
 
 constexpr double kLongestLine = 1000;  // by the size of the body; of longer ones borders would be blurred
-constexpr int kFaceStarts = 20;        // of the search for the nearest point of a face, per direction
 constexpr int kSpotLines = 32;         // parallel lines whose mean stands for a spot
 constexpr int kSpotLinesInSpace = 8;   // in each of its two directions
 
@@ -32,6 +33,7 @@ struct MeasuredPath {
   PathProbe probe;
   double end = 0.0;                   ///< from 0
   std::array<double, 2> ofWindows{};  ///< what windows may cover
+  std::string where;                  ///< a point of it has to be, in messages
 };
 
 template <int Dim>
@@ -47,37 +49,45 @@ class PathMaker {
         options_(options),
         bodies_(meshOf(model, frame), deformed() ? frame.displacement : Eigen::MatrixXd()) {}
 
-  const BodyLocator<Dim>& bodies() const { return bodies_; }
-
   MeasuredPath operator()(const LinePath& line) const {
-    const Point begin = pointOf(line.begin, "line"), end = pointOf(line.end, "line");
-    const double length = (end - begin).stableNorm();
-    if (!(length > 0.0))
-      throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
-    requireNotTooLong("line", length);
-    requireNotTooLong("window", options_.window);
-    return {straight(begin, (end - begin) / length),
-            length,
-            {-0.5 * options_.window, length + 0.5 * options_.window}};
+    const Ends ends = endsOf(line);
+    return {straight(ends.begin, (ends.end - ends.begin) / ends.length),
+            ends.length,
+            {-0.5 * options_.window, ends.length + 0.5 * options_.window},
+            inBody()};
   }
 
   MeasuredPath operator()(const FacePath& path) const {
+    const FacePlace face = facePlace(model_, frame_, path.address);
     if constexpr (Dim == 2) {
-      const FacePlace face = facePlace(model_, frame_, path.address);
       const ArcLengthCurve curve(trace(face));
       if (!(curve.length() > 0.0))
         throw Error(fmt::format("face: {} is a point; expected a face that has a length", path.address.face));
       const auto probe = [this, face, curve](double distance) {
-        const MeshPlace<Dim> place = onFace(face, Eigen::Vector<double, 1>(curve.parameterAt(distance)));
-        std::optional<SurfaceAxes> axes;
-        if (fields_.needsAxes()) axes = surfaceAxes(face, place, "face");
-        return bodies_.point(distance, place, frame_, fields_, axes);
+        return pointOfFace(distance, face, Eigen::Vector<double, 1>(curve.parameterAt(distance)));
       };
-      return {probe, curve.length(), {0.0, curve.length()}};
+      return {probe, curve.length(), {0.0, curve.length()}, inBody()};
+    } else {
+      throw Error(fmt::format(
+          "face: a face of a body in space is an area, not a path; expected a line on it as well, such as line {}, or "
+          "depth {}@X,Y,Z from a place on it into the body",
+          lineOn(trace(face)), path.address.face));
+    }
+  }
+
+  MeasuredPath operator()(const LaidPath& path) const {
+    if constexpr (Dim == 3) {
+      const Ends ends = endsOf(path.line);
+      const FacePlace face = facePlace(model_, frame_, path.address);
+      const LaidLine line(trace(face), ends.begin, ends.end, options_.points, options_.window);
+      const auto probe = [this, face, line](double distance) {
+        const LaidLine::Place place = line.at(distance);
+        return place.xi ? pointOfFace(distance, face, *place.xi) : outside(distance, place.position);
+      };
+      return {probe, line.length(), line.ofWindows(), line.where(path.address.face)};
     } else {
       throw Error(
-          "face: a face of a body in space is an area, not a path; expected --line X,Y,Z:X,Y,Z, or --depth "
-          "FACE@X,Y,Z from a place on the face into the body");
+          "line: found beside a face of a plane body, which is a path itself; expected one of the two");
     }
   }
 
@@ -91,10 +101,39 @@ class PathMaker {
     if (!(whole > 0.0))
       throw Error(fmt::format("depth: the body has no depth below {}; expected another place on face {}",
                               pointText(begin), path.address.face));
-    return {probe, path.length ? std::min(*path.length, whole) : whole, {0.0, whole}};
+    return {probe, path.length ? std::min(*path.length, whole) : whole, {0.0, whole}, inBody()};
   }
 
  private:
+  struct Ends {
+    Point begin, end;
+    double length = 0.0;
+  };
+
+  Ends endsOf(const LinePath& line) const {
+    const Point begin = pointOf(line.begin, "line"), end = pointOf(line.end, "line");
+    const double length = (end - begin).stableNorm();
+    if (!(length > 0.0))
+      throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
+    requireNotTooLong("line", length);
+    requireNotTooLong("window", options_.window);
+    return {begin, end, length};
+  }
+
+  std::string inBody() const {
+    return fmt::format("in the {} body of frame {}, which lies {}", deformed() ? "deformed" : "undeformed",
+                       frame_.index, extentText(bodies_));
+  }
+
+  /// What is on a face at a length of a path.
+  ProbePoint pointOfFace(double distance, const FacePlace& face,
+                         const Eigen::Vector<double, Dim - 1>& parameters) const {
+    const MeshPlace<Dim> place = onFace(face, parameters);
+    std::optional<SurfaceAxes> axes;
+    if (fields_.needsAxes()) axes = surfaceAxes(face, place, "face");
+    return bodies_.point(distance, place, frame_, fields_, axes);
+  }
+
   /// outward: normal of length 1; first, second: along the face, the second one in space alone.
   static SurfaceAxes surfaceAxes(const Point& outward, const Point& first, const Point& second) {
     const Point along = (first - first.dot(outward) * outward).normalized();
@@ -149,11 +188,12 @@ class PathMaker {
     const Point normal = axes.col(0), first = axes.col(1), across = axes.col(2),
                 centre = patch.position(middle.xi);
     SpotLines lines{middle, {}, axes};
+    const NearestOnFace<Dim> nearest(trace(face));
     for (int k = 0; k < kSpotLinesInSpace * kSpotLinesInSpace; ++k) {
       const double u = (k % kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5,
                    v = (k / kSpotLinesInSpace + 0.5) / kSpotLinesInSpace - 0.5;
       const Point above = centre + options_.spot * (u * first + v * across);
-      const MeshPlace<Dim>& begin = lines.begins.emplace_back(onFace(face, parameters(face, above)));
+      const MeshPlace<Dim>& begin = lines.begins.emplace_back(onFace(face, nearest(above).xi));
       const Point away = patch.position(begin.xi) - above;
       if ((away - away.dot(normal) * normal).norm() > kBeside * options_.spot)
         throw Error(fmt::format(
@@ -194,7 +234,7 @@ class PathMaker {
       if (count > 0) point.values = sum.matrix() / count;
       return point;
     };
-    return {mean, length ? std::min(*length, whole) : whole, {0.0, whole}};
+    return {mean, length ? std::min(*length, whole) : whole, {0.0, whole}, inBody()};
   }
 
   bool deformed() const { return options_.body == ProbedBody::Deformed; }
@@ -262,10 +302,7 @@ class PathMaker {
                           place(0), curve.length()));
         return Eigen::Vector<double, 1>(curve.parameterAt(place(0)));
       }
-    std::vector<double> shares;
-    for (int k = 0; k <= kFaceStarts; ++k) shares.push_back(static_cast<double>(k) / kFaceStarts);
-    constexpr int kSteps = 50;
-    return closestPoint(surface, pointOf(place, "depth"), parameterGrid(surface.basis(), shares), kSteps).xi;
+    return NearestOnFace<Dim>(surface)(pointOf(place, "depth")).xi;
   }
 
   Point outwardNormal(const FacePlace& face, const MeshPlace<Dim>& place, const char* key = "depth") const {
@@ -315,6 +352,7 @@ class PathMaker {
 struct PathWord {
   const char* operator()(const LinePath&) const { return "line"; }
   const char* operator()(const FacePath&) const { return "face"; }
+  const char* operator()(const LaidPath&) const { return "line"; }
   const char* operator()(const DepthPath&) const { return "depth"; }
 };
 
@@ -327,9 +365,7 @@ std::vector<ProbePoint> probedPathIn(const ModelRecord& model, const FrameRecord
   const char* word = std::visit(PathWord{}, path);
   std::vector<ProbePoint> points = samplesAlong(measured.probe, 0.0, measured.end, options.points);
   if (std::ranges::all_of(points, [](const ProbePoint& p) { return p.body == ProbePoint::kOutside; }))
-    throw Error(fmt::format("{}: no point of it is in the {} body of frame {}, which lies {}", word,
-                            options.body == ProbedBody::Deformed ? "deformed" : "undeformed", frame.index,
-                            extentText(maker.bodies())));
+    throw Error(fmt::format("{}: no point of it is {}", word, measured.where));
   for (std::size_t k = 0; k < fields.choices().size(); ++k)
     if (std::ranges::all_of(
             points, [k](const ProbePoint& p) { return std::isnan(p.values(static_cast<Eigen::Index>(k))); }))

@@ -24,6 +24,12 @@ struct FacePath {
   FaceAddress address;
 };
 
+/// A straight line in space laid on a face: each of its points goes to the nearest one of the face.
+struct LaidPath {
+  FaceAddress address;
+  LinePath line;
+};
+
 /// The straight line from a place on a face along the inward normal, up to where it leaves the body first.
 struct DepthPath {
   FaceAddress address;
@@ -31,7 +37,7 @@ struct DepthPath {
   std::optional<double> length{};  ///< no farther than this
 };
 
-using ProbePath = std::variant<LinePath, FacePath, DepthPath>;
+using ProbePath = std::variant<LinePath, FacePath, LaidPath, DepthPath>;
 
 /// Points of a path at equal distances, unless others are asked for.
 inline constexpr int kProbePoints = 401;
@@ -49,8 +55,8 @@ struct ProbeOptions {
 };
 
 /// The points of a path with the fields there. The axes of the surface are those where a `DepthPath` begins, and of each
-/// point of a `FacePath`; in space the first direction of the face is the one along it. Throws `Error` for a path that does not fit the body: of another
-/// dimension, of no length, wholly outside, of a face that is none, or of an area; for a spot that reaches beyond the
+/// point of a `FacePath` or `LaidPath`; in space the first direction of the face is the one along it. Throws `Error` for a path that does
+/// not fit the body: of another dimension, of no length, wholly outside or beyond its face, of a face that is none, or of an area; for a spot that reaches beyond the
 /// face; and if nothing on it has a field.
 std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& frame,
                                    const ProbedFields& fields, const ProbePath& path,

@@ -41,10 +41,11 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
                                   std::pair{"depth", &spec.depth}, std::pair{"point", &spec.point}})
     if (!text->empty()) places.emplace_back(key);
   std::vector<InputProblem> problems;
-  if (places.size() != 1)
+  const bool isLaid = places == std::vector<std::string>{"line", "face"};
+  if (places.size() != 1 && !isLaid)
     problems.push_back(
         {places.empty() ? "line" : places.front(),
-         fmt::format("found {}; expected one of line, face, depth and point",
+         fmt::format("found {}; expected one of line, face, depth and point, or a line on a face in space",
                      places.empty() ? "no place" : fmt::format("{}", fmt::join(places, " and ")))});
   const auto require = [&](bool holds, const char* key, const char* text) {
     if (!holds) problems.push_back({key, text});

@@ -12,7 +12,7 @@ namespace burnish {
 
 /// What is looked at, as the options of the command and studies spell it. Empty texts: not given.
 struct ProbeSpec {
-  std::string line, face, depth, point;  ///< one of them
+  std::string line, face, depth, point;  ///< one of them, or a line on a face
   std::optional<double> length, spot;    ///< of `depth`
   std::string patch;                     ///< of the face
   std::vector<std::string> bodies;       ///< all when empty
@@ -61,9 +61,13 @@ void describePenetration(Visitor& v, ProbeSpec& s) {
 /// ofFields: rule of the names of fields.
 template <class Visitor>
 void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
-  v.field("line", s.line, {},
-          "X0,Y0:X1,Y1, in space with Z: values along the straight line between two points.");
-  v.field("face", s.face, {}, "Values along a face of a plane body: left, right, bottom or top.");
+  v.field(
+      "line", s.line, {},
+      "X0,Y0:X1,Y1, in space with Z: values along the straight line between two points; with face along that line laid on "
+      "the face.");
+  v.field(
+      "face", s.face, {},
+      "Values along a face of a plane body: left, right, bottom or top; in space, also back or front, along a line on it.");
   describeDepth(v, s, {});
   v.field("point", s.point, {},
           "X,Y, in space with Z: values over time at a point of the material, by its place in the undeformed "

@@ -61,10 +61,11 @@ ProbeOptions optionsOf(const ProbeSpec& spec) {
           spec.window.value_or(0.0), spec.spot.value_or(0.0), spec.penetration.value_or(0.0)};
 }
 
-/// "the line", "face top", ...
+/// "the line", "face top", "the line on face top", ...
 std::string pathWords(const ProbeSpec& spec) {
   const std::string& face = spec.face.empty() ? spec.depth : spec.face;
-  const std::string name = face.empty() ? "the line" : "face " + face.substr(0, face.find('@'));
+  std::string name = spec.line.empty() ? "" : "the line";
+  if (!face.empty()) name += (name.empty() ? "face " : " on face ") + face.substr(0, face.find('@'));
   return spec.reference ? name + " of the undeformed body" : name;
 }
 
@@ -163,10 +164,12 @@ void requirePlace(const ModelRecord& model, const FrameRecord& frame, const Prob
       return;
     }
     const ProbePath path = pathOf(spec, chosen.dim);
-    if (!std::holds_alternative<LinePath>(path))
+    const auto* laid = chosen.dim == 3 ? std::get_if<LaidPath>(&path) : nullptr;
+    const LinePath* line = laid != nullptr ? &laid->line : std::get_if<LinePath>(&path);
+    if (laid != nullptr) static_cast<void>(facePlace(chosen, shown, laid->address));
+    if (line == nullptr)
       probedPath(chosen, shown, {chosen, shown, {"displacement"}}, path, {ProbedBody::Undeformed, 2, 0.0});
-    const auto* line = std::get_if<LinePath>(&path);  // the body may move to where it lies
-    if (line != nullptr && line->begin == line->end)
+    else if (line->begin == line->end)  // the body may move to where it lies
       throw Error(fmt::format("line: found {}, a point twice; expected two points", spec.line));
   });
 }

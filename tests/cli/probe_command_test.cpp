@@ -203,7 +203,7 @@ TEST_F(ProbeCommand, ScenesAreToldOfProbesThatCannotBe) {
 TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
   expectRefused("run", "found no place; expected one of line, face, depth and point");
   expectRefused("run --line 1,0:2,0 --face left",
-                "--line: found line and face; expected one of line, face, depth");
+                "line: found beside a face of a plane body, which is a path itself; expected one of the two");
   expectRefused("run --line 1,0", "line: found \"1,0\"; expected X0,Y0:X1,Y1, two points of the plane");
   expectRefused("run --line 1,0:2,x", "line: found \"1,0:2,x\"");
   expectRefused("run --line 1,0:2,", "line: found \"1,0:2,\"");

@@ -555,8 +555,13 @@ TEST(Probe, SaysWhatWouldBeRight) {
               HasSubstr("patch: found \"p\"; the body has one patch"));
   EXPECT_THAT(mistake(slab, "plastic_strain", DepthPath{{"top", ""}, at({9.0})}),
               HasSubstr("depth: found the place 9; expected a length along the face, 0 to 3.01"));
-  EXPECT_THAT(mistake(samples::cube(), "pressure", FacePath{{"top", ""}}),
-              HasSubstr("face: a face of a body in space is an area, not a path; expected --line"));
+  EXPECT_THAT(
+      mistake(samples::cube(), "pressure", FacePath{{"top", ""}}),
+      HasSubstr(
+          "face: a face of a body in space is an area, not a path; expected a line on it as well, such as "
+          "line 0.1,1,0.5:0.9,1,0.5, or depth top@X,Y,Z"));
+  EXPECT_THAT(mistake(slab, "plastic_strain", LaidPath{{"top", ""}, line}),
+              HasSubstr("line: found beside a face of a plane body, which is a path itself"));
   EXPECT_THAT(mistake(samples::twoBodies(), "von_mises", FacePath{{"top", ""}}),
               HasSubstr("face: there are the bodies block, stamp; expected one of them, as --body block"));
 }
