@@ -1,6 +1,5 @@
 #include "postproc/mesh/contact_surface.h"
 
-#include <fmt/format.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkPointData.h>
@@ -12,74 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/error.h"
+#include "postproc/mesh/contact_grid.h"
 #include "postproc/mesh/frame_parts.h"
-#include "postproc/mesh/index_box.h"
 #include "postproc/mesh/patch_geometry.h"
 #include "postproc/mesh/poly_builder.h"
 #include "postproc/mesh/vtk_arrays.h"
 
 namespace burnish {
 namespace {
-
-/// Quadrature points of a face in rows and columns: `perSpan` per knot span and direction.
-struct FacePoints {
-  IndexBox spans;
-  int perSpan = 0;
-  int dim = 2;  ///< of space
-
-  IndexBox points() const {
-    IndexBox box;
-    for (std::size_t d = 0; d + 1 < static_cast<std::size_t>(dim); ++d)
-      box.extent[d] = spans.extent[d] * perSpan;
-    return box;
-  }
-
-  /// Place in the record, which goes span by span, of the point in this row and column.
-  std::size_t place(const IndexBox::Index& index) const {
-    const int row = dim == 2 ? 1 : perSpan;
-    const int span = spans.number({index[0] / perSpan, index[1] / row, 0});
-    const std::ptrdiff_t line = std::ptrdiff_t{span} * row + index[1] % row;
-    return static_cast<std::size_t>(line * perSpan + index[0] % perSpan);
-  }
-};
-
-template <int Dim>
-Patch<Dim - 1, Dim> faceOf(const MeshRecord& mesh, const ContactRecord& contact,
-                           const Eigen::MatrixXd& displacement) {
-  return tracePatch(patchGeometry<Dim>(mesh.patches[static_cast<std::size_t>(contact.patch)], displacement),
-                    faceFromName<Dim>(contact.face));
-}
-
-template <int Dim>
-FacePoints facePoints(const MeshRecord& mesh, const ContactRecord& contact) {
-  const auto trace = faceOf<Dim>(mesh, contact, {});
-  FacePoints face{.spans = {}, .perSpan = 0, .dim = Dim};
-  for (int d = 0; d < Dim - 1; ++d)
-    face.spans.extent[static_cast<std::size_t>(d)] = trace.basis().direction(d).numSpans();
-  while (face.points().size() < contact.quadraturePoints.cols()) ++face.perSpan;
-  if (face.points().size() != contact.quadraturePoints.cols())
-    throw Error(fmt::format(
-        "contact face {}: found {} quadrature points on {} knot spans; expected the same number on each",
-        contact.face, contact.quadraturePoints.cols(), face.spans.size()));
-  return face;
-}
-
-/// The points of a face in rows and columns.
-struct FaceGrid {
-  IndexBox box;
-  Eigen::MatrixXd positions;            ///< dim x points, by their number in the box
-  std::vector<std::size_t> recordedAt;  ///< the place in the record of the point that has its values
-};
-
-FaceGrid gridOf(const FacePoints& face, const ContactRecord& contact) {
-  FaceGrid grid{face.points(), contact.quadraturePoints, {}};
-  for (int k = 0; k < grid.box.size(); ++k) {
-    grid.recordedAt.push_back(face.place(grid.box.index(k)));
-    grid.positions.col(k) = contact.quadraturePoints.col(static_cast<Eigen::Index>(grid.recordedAt.back()));
-  }
-  return grid;
-}
 
 /// The point that is nearest to a place, of some that are columns.
 Eigen::VectorXd nearestOf(const Eigen::MatrixXd& points, const Eigen::VectorXd& place) {
@@ -113,10 +52,10 @@ std::vector<Eigen::MatrixXd> edgesOf(const Patch<2, 3>& face) {
 }
 
 /// The grid with a row and a column more at each end, on the edges of the face.
-FaceGrid toEdges(const FaceGrid& inner, const std::vector<Eigen::MatrixXd>& edges) {
+ContactGrid toEdges(const ContactGrid& inner, const std::vector<Eigen::MatrixXd>& edges) {
   const Eigen::Index dim = inner.positions.rows();
   const auto directions = static_cast<std::size_t>(dim) - 1;
-  FaceGrid grid{inner.box, {}, {}};
+  ContactGrid grid{inner.box, {}, {}};
   for (std::size_t d = 0; d < directions; ++d) grid.box.extent[d] += 2;
   grid.positions.resize(dim, grid.box.size());
   const auto innerOf = [&](IndexBox::Index index) {
@@ -148,7 +87,7 @@ FaceGrid toEdges(const FaceGrid& inner, const std::vector<Eigen::MatrixXd>& edge
   return grid;
 }
 
-void addCells(const FaceGrid& grid, const std::vector<vtkIdType>& ids, int dim, PolyBuilder& builder) {
+void addCells(const ContactGrid& grid, const std::vector<vtkIdType>& ids, int dim, PolyBuilder& builder) {
   const IndexBox& box = grid.box;
   const auto id = [&](int i, int j) { return ids[static_cast<std::size_t>(box.number({i, j, 0}))]; };
   if (dim == 2) {
@@ -191,11 +130,11 @@ std::vector<ContactName> contactsOf(const FrameRecord& frame) {
 
 namespace {
 
-FaceGrid gridToEdges(const FaceGrid& inner, const ModelRecord& model, const FrameRecord& frame,
-                     const ContactRecord& contact) {
+ContactGrid gridToEdges(const ContactGrid& inner, const ModelRecord& model, const FrameRecord& frame,
+                        const ContactRecord& contact) {
   const MeshRecord& mesh = meshOf(model, frame);
-  return toEdges(inner, model.dim == 2 ? edgesOf(faceOf<2>(mesh, contact, frame.displacement))
-                                       : edgesOf(faceOf<3>(mesh, contact, frame.displacement)));
+  return toEdges(inner, model.dim == 2 ? edgesOf(contactFace<2>(mesh, contact, frame.displacement))
+                                       : edgesOf(contactFace<3>(mesh, contact, frame.displacement)));
 }
 
 /// toEdges: with points on the edges of the faces.
@@ -208,8 +147,7 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const ModelRecord& model, const FrameReco
   bool rubs = false;
   for (const ContactRecord& contact : frame.contact) {
     if (ContactName{contact.tool, contact.pair} != wanted) continue;
-    const FacePoints face = model.dim == 2 ? facePoints<2>(mesh, contact) : facePoints<3>(mesh, contact);
-    FaceGrid grid = gridOf(face, contact);
+    ContactGrid grid = contactGrid(model.dim, mesh, contact);
     std::vector<std::size_t> from(
         grid.recordedAt.size());  // places in the record, in the order of the points
     std::vector<vtkIdType> ids;

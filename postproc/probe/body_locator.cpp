@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "engine/core/error.h"
 #include "postproc/mesh/patch_geometry.h"
 
 namespace burnish {
@@ -82,6 +83,22 @@ ProbePoint BodyLocator<Dim>::point(double at, const MeshPlace<Dim>& place, const
 
 std::string pointText(const Eigen::VectorXd& point) {
   return fmt::format("({:.6g})", fmt::join(point, ", "));
+}
+
+void requireNotTooLong(const char* what, double length, double size) {
+  constexpr double kLongest = 1000.0;
+  if (!(length <= kLongest * size))
+    throw Error(
+        fmt::format("{}: found a length of {:.6g}; expected at most {} times the size of the body, {:.6g}",
+                    what, length, kLongest, size));
+}
+
+double lineLength(const Eigen::VectorXd& begin, const Eigen::VectorXd& end, double size) {
+  const double length = (end - begin).stableNorm();
+  if (!(length > 0.0))
+    throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
+  requireNotTooLong("line", length, size);
+  return length;
 }
 
 template class BodyLocator<2>;

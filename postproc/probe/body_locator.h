@@ -68,6 +68,12 @@ class BodyLocator {
 /// "(1, 0.5)"
 std::string pointText(const Eigen::VectorXd& point);
 
+/// Throws `Error` for a length that is far beyond the size of the bodies: borders would be blurred. what: it is of.
+void requireNotTooLong(const char* what, double length, double size);
+
+/// Length of a line through bodies of this size. Throws `Error` for a point twice and for a line that is too long.
+double lineLength(const Eigen::VectorXd& begin, const Eigen::VectorXd& end, double size);
+
 /// "between (0, 0) and (2, 1)": where the bodies are.
 template <int Dim>
 std::string extentText(const BodyLocator<Dim>& bodies) {

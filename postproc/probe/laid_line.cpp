@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/nurbs/closest_point.h"
 #include "postproc/probe/body_locator.h"
@@ -29,6 +28,28 @@ constexpr double kShortestJump = 1e-12;  // likewise
 /// Length of a short arc from its chord and those of its halves, by Richardson's extrapolation.
 double arcThrough(const Eigen::Vector3d& begin, const Eigen::Vector3d& middle, const Eigen::Vector3d& end) {
   return (4.0 * ((middle - begin).norm() + (end - middle).norm()) - (end - begin).norm()) / 3.0;
+}
+
+/// A line that runs along a face: "0.1,1,0.5:0.9,1,0.5".
+std::string lineOn(const Patch<2, 3>& face) {
+  const Eigen::Vector3d middle = face.position(parameterGrid(face.basis(), {0.5}).front());
+  Eigen::Vector3d begin = middle, end = middle;
+  for (int d = 0; d < 2; ++d) {
+    const auto at = [&](double share) {
+      Eigen::Vector2d xi = parameterGrid(face.basis(), {0.5}).front();
+      xi(d) = face.basis().direction(d).parameterAt(share);
+      return face.position(xi);
+    };
+    if ((at(0.9) - at(0.1)).norm() <= (end - begin).norm()) continue;
+    begin = at(0.1);
+    end = at(0.9);
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10((end - begin).norm())) - 3.0);
+  const auto text = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d rounded = unit * (point / unit).array().round() + 0.0;  // no -0
+    return fmt::format("{:.6g}", fmt::join(rounded, ","));
+  };
+  return text(begin) + ":" + text(end);
 }
 
 }  // namespace
@@ -156,25 +177,15 @@ double LaidLine::reach() const {
   return pieces_.empty() ? 0.0 : pieces_.back().begin + pieces_.back().length;
 }
 
-std::string lineOn(const Patch<2, 3>& face) {
-  const Eigen::Vector3d middle = face.position(parameterGrid(face.basis(), {0.5}).front());
-  Eigen::Vector3d begin = middle, end = middle;
-  for (int d = 0; d < 2; ++d) {
-    const auto at = [&](double share) {
-      Eigen::Vector2d xi = parameterGrid(face.basis(), {0.5}).front();
-      xi(d) = face.basis().direction(d).parameterAt(share);
-      return face.position(xi);
-    };
-    if ((at(0.9) - at(0.1)).norm() <= (end - begin).norm()) continue;
-    begin = at(0.1);
-    end = at(0.9);
-  }
-  const double unit = std::pow(10.0, std::floor(std::log10((end - begin).norm())) - 3.0);
-  const auto text = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d rounded = unit * (point / unit).array().round() + 0.0;  // no -0
-    return fmt::format("{:.6g}", fmt::join(rounded, ","));
-  };
-  return text(begin) + ":" + text(end);
+Error areaIsNoPath(const Patch<2, 3>& face, const std::string& name) {
+  return Error(fmt::format(
+      "face: a face of a body in space is an area, not a path; expected a line on it as well, such as line {}, or "
+      "depth {}@X,Y,Z from a place on it into the body",
+      lineOn(face), name));
+}
+
+Error planeFaceIsPath() {
+  return Error("line: found beside a face of a plane body, which is a path itself; expected one of the two");
 }
 
 }  // namespace burnish

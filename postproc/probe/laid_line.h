@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "postproc/probe/nearest_on_face.h"
 
 namespace burnish {
@@ -75,7 +76,10 @@ class LaidLine {
   int cuts_ = 0;  ///< into halves so far
 };
 
-/// A line that runs along a face, for messages: "0.1,1,0.5:0.9,1,0.5".
-std::string lineOn(const Patch<2, 3>& face);
+/// What is wrong with all of a face in space as a path, with a line that would do.
+Error areaIsNoPath(const Patch<2, 3>& face, const std::string& name);
+
+/// What is wrong with a line on a face in the plane.
+Error planeFaceIsPath();
 
 }  // namespace burnish

@@ -1,8 +1,11 @@
 #include "postproc/probe/path_samples.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/error.h"
 #include "engine/core/interruption.h"
 #include "engine/nurbs/quadrature.h"
 
@@ -114,6 +117,11 @@ std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, doubl
     points.push_back(next);
   }
   return points;
+}
+
+void requireAnyInside(const std::vector<ProbePoint>& samples, const char* path, const std::string& where) {
+  if (std::ranges::all_of(samples, [](const ProbePoint& p) { return p.body == ProbePoint::kOutside; }))
+    throw Error(fmt::format("{}: no point of it is {}", path, where));
 }
 
 std::vector<ProbePoint> windowAverages(const PathProbe& probe, std::vector<ProbePoint> samples, double width,

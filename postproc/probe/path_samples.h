@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "postproc/probe/probe_point.h"
@@ -14,6 +15,9 @@ using PathProbe = std::function<ProbePoint(double distance)>;
 /// different bodies, or one outside, the last and the first one of each body. Between bodies that touch there
 /// is a point that belongs to none, so that curves are interrupted.
 std::vector<ProbePoint> samplesAlong(const PathProbe& probe, double begin, double end, int count);
+
+/// Throws `Error` if all of them are outside of bodies. path: what it is called; where: its points would have to be.
+void requireAnyInside(const std::vector<ProbePoint>& samples, const char* path, const std::string& where);
 
 /// The samples with the mean values of a window along the path instead of their own: of that part of `width`
 /// around each that lies between `begin` and `end` and in bodies with the field.

@@ -24,9 +24,8 @@ namespace {
 /// material outside of a mesh that was made on the way.
 constexpr double kGivenOutside = 1e-6, kMovedOutside = 1e-3;
 
-constexpr double kLongestLine = 1000;  // by the size of the body; of longer ones borders would be blurred
-constexpr int kSpotLines = 32;         // parallel lines whose mean stands for a spot
-constexpr int kSpotLinesInSpace = 8;   // in each of its two directions
+constexpr int kSpotLines = 32;        // parallel lines whose mean stands for a spot
+constexpr int kSpotLinesInSpace = 8;  // in each of its two directions
 
 /// A path as a function of the distance.
 struct MeasuredPath {
@@ -68,10 +67,7 @@ class PathMaker {
       };
       return {probe, curve.length(), {0.0, curve.length()}, inBody()};
     } else {
-      throw Error(fmt::format(
-          "face: a face of a body in space is an area, not a path; expected a line on it as well, such as line {}, or "
-          "depth {}@X,Y,Z from a place on it into the body",
-          lineOn(trace(face)), path.address.face));
+      throw areaIsNoPath(trace(face), path.address.face);
     }
   }
 
@@ -86,8 +82,7 @@ class PathMaker {
       };
       return {probe, line.length(), line.ofWindows(), line.where(path.address.face)};
     } else {
-      throw Error(
-          "line: found beside a face of a plane body, which is a path itself; expected one of the two");
+      throw planeFaceIsPath();
     }
   }
 
@@ -112,11 +107,8 @@ class PathMaker {
 
   Ends endsOf(const LinePath& line) const {
     const Point begin = pointOf(line.begin, "line"), end = pointOf(line.end, "line");
-    const double length = (end - begin).stableNorm();
-    if (!(length > 0.0))
-      throw Error(fmt::format("line: found {} twice; expected two points", pointText(begin)));
-    requireNotTooLong("line", length);
-    requireNotTooLong("window", options_.window);
+    const double length = lineLength(begin, end, bodies_.size());
+    requireNotTooLong("window", options_.window, bodies_.size());
     return {begin, end, length};
   }
 
@@ -239,13 +231,6 @@ class PathMaker {
 
   bool deformed() const { return options_.body == ProbedBody::Deformed; }
 
-  void requireNotTooLong(const char* what, double length) const {
-    if (!(length <= kLongestLine * bodies_.size()))
-      throw Error(
-          fmt::format("{}: found a length of {:.6g}; expected at most {} times the size of the body, {:.6g}",
-                      what, length, kLongestLine, bodies_.size()));
-  }
-
   Point pointOf(const Eigen::VectorXd& point, const char* path) const {
     if (point.size() != Dim)
       throw Error(fmt::format("{}: found {}; the body has {} dimensions", path, pointText(point), Dim));
@@ -364,8 +349,7 @@ std::vector<ProbePoint> probedPathIn(const ModelRecord& model, const FrameRecord
   const MeasuredPath measured = std::visit(maker, path);
   const char* word = std::visit(PathWord{}, path);
   std::vector<ProbePoint> points = samplesAlong(measured.probe, 0.0, measured.end, options.points);
-  if (std::ranges::all_of(points, [](const ProbePoint& p) { return p.body == ProbePoint::kOutside; }))
-    throw Error(fmt::format("{}: no point of it is {}", word, measured.where));
+  requireAnyInside(points, word, measured.where);
   for (std::size_t k = 0; k < fields.choices().size(); ++k)
     if (std::ranges::all_of(
             points, [k](const ProbePoint& p) { return std::isnan(p.values(static_cast<Eigen::Index>(k))); }))

@@ -67,7 +67,7 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
   require(ofContact == 0 || ofContact == std::ssize(spec.fields), "field",
           "found fields of contact and others; expected a chart for each");
   require(ofContact == 0 || !spec.face.empty(), "field",
-          "found a field of contact, which faces alone have; expected a face of a plane body as place");
+          "found a field of contact, which faces alone have; expected face as place");
   require(ofContact == 0 || !spec.reference, "reference",
           "contact fields are measured along the deformed face; expected a probe without it");
   const bool ofSurface = std::ranges::any_of(spec.fields, isSurfaceField);

@@ -53,12 +53,8 @@ bool isAmong(const std::vector<FaceSpec>& faces, const ProbeSpec& probe) {
 void checkContactFace(const CheckContext& c, const std::string& path, const ProbeSpec& probe) {
   const std::string key = path + ".face";
   if (probe.face.empty() || !std::ranges::any_of(probe.fields, isContactField) || !c.clean(key) ||
-      !contactIsRead(c) || !c.dimensionIsKnown())
+      !contactIsRead(c))
     return;
-  if (c.scene.dim() == 3)
-    return c.report(path + ".field",
-                    "found a contact field along a face of a body in space; allowed here: fields of bodies; "
-                    "pictures show contact fields.");
   const ContactFaces faces = contactFacesOf(c.scene);
   if (faces.slaves.empty() || isAmong(faces.slaves, probe)) return;
   std::vector<std::string> known;

@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/core/error.h"
+#include "engine/nurbs/quadrature.h"
 #include "engine/nurbs/refinement.h"
 #include "engine/nurbs/shapes.h"
 #include "postproc/probe/probe.h"
@@ -236,6 +238,93 @@ TEST(LaidLine, HasMeansOverWindowsAndOverAllOfIt) {
   EXPECT_NEAR(
       probedMean(cube.model, cube.frame, ProbedFields(cube.model, cube.frame, {"pressure"}), path).values(0),
       2.1, 1e-7);
+}
+
+/// The bulged cube under a ball: what the solver has at 2 x 2 points of each of the 3 x 3 knot spans of its upper face.
+Sample pressedCube() {
+  Sample cube = bulgedCube();
+  const Eigen::VectorXd gauss = gaussLegendre(2).points;
+  ContactRecord contact;
+  contact.tool = "ball";
+  contact.face = "top";
+  constexpr int kPoints = 36;
+  contact.quadraturePoints.resize(3, kPoints);
+  contact.quadraturePressure.resize(kPoints);
+  contact.quadratureGap = Eigen::VectorXd::Zero(kPoints);
+  contact.quadratureNormal = Eigen::MatrixXd::Zero(3, kPoints);
+  contact.quadratureFriction = Eigen::MatrixXd::Zero(3, kPoints);
+  contact.quadratureSlip = Eigen::MatrixXd::Zero(3, kPoints);
+  contact.quadratureSlipped = Eigen::VectorXd::Zero(kPoints);
+  for (int k = 0; k < kPoints; ++k) {
+    const int span = k / 4;
+    const double x = (span % 3 + gauss(k % 2)) / 3.0, z = (span / 3 + gauss(k / 2 % 2)) / 3.0;
+    contact.quadraturePoints.col(k) << x + 1.0, 1.0 + 0.4 * x * (1.0 - x), z;
+    contact.quadraturePressure(k) = (2.0 + 3.0 * x) * (1.0 + z);
+    contact.quadratureFriction.col(k) << 0.0, 0.3 * contact.quadraturePressure(k), 0.0;
+    contact.quadratureSliding.push_back(x < 0.5 ? 1 : 2);
+  }
+  cube.frame.contact = {contact};
+  return cube;
+}
+
+/// Bilinear between the outermost points and constant beyond.
+TEST(LaidLine, HasContactFieldsBetweenThePointsOfTheSolver) {
+  const Sample cube = pressedCube();
+  const double first = gaussLegendre(2).points(0) / 3.0;
+  ProbeSpec spec = onFace("top", "0.5,1.2,0.3:2.5,1.2,0.6", "contact_pressure");
+  spec.fields = {"contact_pressure", "friction_traction"};
+  const auto body = inBody(probedFrame(cube.model, cube.frame, spec).points);
+  ASSERT_GT(body.size(), 150U);
+  for (const ProbePoint& p : body) {
+    EXPECT_NEAR(p.current(0), p.reference(0) + 1.0, 1e-9);
+    const double x = std::clamp(p.reference(0), first, 1.0 - first), z = p.reference(2);
+    EXPECT_NEAR(p.values(0), (2.0 + 3.0 * x) * (1.0 + z), 1e-8);
+    EXPECT_NEAR(p.values(1), 0.3 * p.values(0), 1e-12);
+  }
+  spec.fields = {"sliding"};
+  for (const ProbePoint& p : inBody(probedFrame(cube.model, cube.frame, spec).points))
+    if (std::abs(p.reference(0) - 0.5) > 1e-6) {
+      EXPECT_EQ(p.values(0), p.reference(0) < 0.5 ? 1.0 : 2.0);
+    }
+}
+
+TEST(LaidLine, HasMeansOfContactFieldsAndSeveralPartners) {
+  Sample cube = pressedCube();
+  ProbeSpec spec = onFace("top", "1.5,1.2,0.3:1.5,1.2,0.7", "contact_pressure");
+  spec.window = 0.1;
+  for (const ProbePoint& p : probedFrame(cube.model, cube.frame, spec).points)
+    EXPECT_NEAR(p.values(0), 3.5 * (1.0 + p.current(2)), 1e-8);
+  cube.frame.contact.push_back(cube.frame.contact.front());
+  spec.window.reset();
+  for (const ProbePoint& p : probedFrame(cube.model, cube.frame, spec).points)
+    EXPECT_NEAR(p.values(0), 7.0 * (1.0 + p.current(2)), 1e-8);
+  spec.fields = {"sliding"};
+  for (const ProbePoint& p : probedFrame(cube.model, cube.frame, spec).points)
+    EXPECT_TRUE(p.values(0) == 1.0 || p.values(0) == 2.0);
+}
+
+TEST(LaidLine, OfContactFieldsSaysWhatIsWrong) {
+  const Sample cube = pressedCube();
+  const auto mistake = [&](const std::string& face, const std::string& line) {
+    ProbeSpec spec;
+    spec.face = face;
+    spec.line = line;
+    spec.fields = {"contact_pressure"};
+    return messageOf([&] { probedFrame(cube.model, cube.frame, spec); });
+  };
+  EXPECT_THAT(mistake("top", ""),
+              HasSubstr("expected a line on it as well, such as line 1.1,1.036,0.5:1.9,1.036,0.5"));
+  EXPECT_THAT(mistake("left", "0,0,0:0,0,1"), HasSubstr("face: left is in no contact"));
+  EXPECT_THAT(mistake("top", "0,0,0:0,0,0"), HasSubstr("line: found (0, 0, 0) twice"));
+  EXPECT_THAT(mistake("top", "5,1,0:6,1,0"),
+              HasSubstr("line: no point of it is across from face top, which lies"));
+  const Sample slab = samples::rubbedSlab();
+  ProbeSpec plane;
+  plane.face = "top";
+  plane.line = "0,1:3,1";
+  plane.fields = {"contact_pressure"};
+  EXPECT_THAT(messageOf([&] { probedFrame(slab.model, slab.frame, plane); }),
+              HasSubstr("line: found beside a face of a plane body"));
 }
 
 TEST(LaidLine, SaysWhatIsWrong) {
