@@ -36,16 +36,19 @@ struct CellPlace {
   std::vector<double> weights;
 };
 
-void refuse(bool isGiven, const char* key, const char* why, const ForeignFile& file) {
+void refuse(bool isGiven, const char* key, const char* why, const ForeignFile& file,
+            const char* instead = "a line or a point") {
   if (isGiven)
-    throw Error(fmt::format("{}: {}, and {} is of another program; give a line or a point", key, why,
-                            file.file().string()));
+    throw Error(fmt::format("{}: {}, and {} is of another program; give {}", key, why, file.file().string(),
+                            instead));
 }
 
 void requireForeign(const ProbeSpec& spec, const ForeignFile& file) {
   refuse(!spec.face.empty(), "face", "only runs of burnish have faces with names", file);
   refuse(!spec.depth.empty(), "depth", "only runs of burnish have faces with names", file);
   refuse(!spec.patch.empty(), "patch", "only runs of burnish have patches", file);
+  refuse(spec.window && !spec.point.empty(), "window",
+         "only runs of burnish know the material around a point", file, "a point alone, or a line");
   refuse(spec.reference, "reference", "only runs of burnish know the undeformed body", file);
 }
 

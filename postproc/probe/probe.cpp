@@ -13,6 +13,7 @@
 #include "engine/nurbs/arc_length_curve.h"
 #include "engine/solid/face_quadrature.h"
 #include "postproc/probe/body_locator.h"
+#include "postproc/probe/gauge_rule.h"
 #include "postproc/probe/laid_line.h"
 #include "postproc/probe/nearest_on_face.h"
 #include "postproc/probe/path_samples.h"
@@ -398,39 +399,96 @@ class MaterialPoint::Finder {
 template <int Dim>
 class MaterialPoint::FinderIn final : public Finder {
  public:
-  FinderIn(const ModelRecord& model, const Eigen::VectorXd& reference)
+  FinderIn(const ModelRecord& model, const Eigen::VectorXd& reference, double window)
       : mesh_(model.mesh), bodies_(mesh_, {}), reference_(reference), found_(bodies_.nearest(reference_)) {
     if (!(found_.distance <= kGivenOutside * bodies_.size()))
       throw Error(fmt::format("point: {} is {:.3g} outside of the undeformed body, which lies {}",
                               pointText(reference_), found_.distance, extentText(bodies_)));
+    if (window > 0.0) addGauge(window);
   }
 
   ProbePoint in(const FrameRecord& frame, const ProbedFields& fields) const override {
-    if (!frame.mesh) return bodies_.point(frame.time, found_.place, frame, fields);
+    if (!frame.mesh) {
+      ProbePoint point = bodies_.point(frame.time, found_.place, frame, fields);
+      if (!gauge_.empty())
+        point.values = meanOf(point.values.size(), [&](const GaugePoint& one) {
+          return bodies_.point(frame.time, one.place, frame, fields).values;
+        });
+      return point;
+    }
     const BodyLocator<Dim> moved(*frame.mesh, {});
-    const auto found = moved.nearest(reference_, mesh_.patches[found_.place.patch].body);
+    const auto found = moved.nearest(reference_, body());
     ProbePoint point = moved.point(frame.time, found.place, frame, fields);
-    if (found.distance <= kMovedOutside * bodies_.size()) return point;
-    point.body = ProbePoint::kOutside;
-    point.current.setConstant(ProbePoint::kNone);
-    point.values.setConstant(ProbePoint::kNone);
+    if (found.distance > kMovedOutside * bodies_.size()) {
+      point.body = ProbePoint::kOutside;
+      point.current.setConstant(ProbePoint::kNone);
+      point.values.setConstant(ProbePoint::kNone);
+    } else if (!gauge_.empty()) {
+      point.values = meanOf(point.values.size(), [&](const GaugePoint& one) -> Eigen::VectorXd {
+        const auto own = moved.nearest(one.reference, body());
+        if (own.distance > kMovedOutside * bodies_.size()) return {};
+        return moved.point(frame.time, own.place, frame, fields).values;
+      });
+    }
     return point;
   }
 
  private:
+  /// A point of the window that lies in the undeformed body.
+  struct GaugePoint {
+    Eigen::Vector<double, Dim> reference;
+    MeshPlace<Dim> place;
+    double weight = 0.0;
+  };
+
+  int body() const { return mesh_.patches[found_.place.patch].body; }
+
+  void addGauge(double window) {
+    constexpr double kOnBorder = 1e-9;  // of the size of the body
+    constexpr std::size_t kFewest = 16;
+    requireNotTooLong("window", window, bodies_.size());
+    const GaugeRule<Dim> rule = gaugeRule<Dim>(0.5 * window);
+    for (Eigen::Index k = 0; k < rule.weights.size(); ++k) {
+      const Eigen::Vector<double, Dim> reference = reference_ + rule.offsets.col(k);
+      const auto found = bodies_.nearest(reference, body());
+      if (found.distance <= kOnBorder * bodies_.size())
+        gauge_.push_back({reference, found.place, rule.weights(k)});
+    }
+    if (gauge_.size() < kFewest)
+      throw Error(fmt::format(
+          "window: only {} of the {} points of the {} of diameter {:.6g} about {} lie in the body; "
+          "expected a smaller one",
+          gauge_.size(), rule.weights.size(), Dim == 2 ? "disc" : "ball", window, pointText(reference_)));
+  }
+
+  /// count: of the fields. valuesOf: at a point; nothing where there is no material any more.
+  template <class ValuesOf>
+  Eigen::VectorXd meanOf(Eigen::Index count, const ValuesOf& valuesOf) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count);
+    double weight = 0.0;
+    for (const GaugePoint& one : gauge_) {
+      const Eigen::VectorXd values = valuesOf(one);
+      if (values.size() == 0) continue;
+      sum += one.weight * values;
+      weight += one.weight;
+    }
+    return sum / weight;  // kNone if there is none
+  }
+
   MeshRecord mesh_;
   BodyLocator<Dim> bodies_;
   Eigen::Vector<double, Dim> reference_;
   typename BodyLocator<Dim>::Nearest found_;
+  std::vector<GaugePoint> gauge_;  ///< empty without a window
 };
 
-MaterialPoint::MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference) {
+MaterialPoint::MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference, double window) {
   if (reference.size() != model.dim)
     throw Error(fmt::format("point: found {}; the body has {} dimensions", pointText(reference), model.dim));
   if (model.dim == 2)
-    finder_ = std::make_unique<FinderIn<2>>(model, reference);
+    finder_ = std::make_unique<FinderIn<2>>(model, reference, window);
   else
-    finder_ = std::make_unique<FinderIn<3>>(model, reference);
+    finder_ = std::make_unique<FinderIn<3>>(model, reference, window);
 }
 
 MaterialPoint::~MaterialPoint() = default;

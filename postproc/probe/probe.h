@@ -67,17 +67,20 @@ std::vector<ProbePoint> probedPath(const ModelRecord& model, const FrameRecord& 
 ProbePoint probedMean(const ModelRecord& model, const FrameRecord& frame, const ProbedFields& fields,
                       const ProbePath& path, const ProbeOptions& options = {});
 
-/// A point of the material over time.
+/// A point of the material over time, or the mean about it.
 class MaterialPoint {
  public:
-  /// reference: its position in the undeformed body. Throws `Error` for a position outside.
-  MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference);
+  /// reference: its position in the undeformed body. window: diameter of the disc, in space of the ball, about that over
+  /// which values are means, of the part that lies in the body of the point; 0: at the point alone. Throws `Error` for a
+  /// position outside, and for a window of which next to nothing lies in the body.
+  MaterialPoint(const ModelRecord& model, const Eigen::VectorXd& reference, double window = 0.0);
   ~MaterialPoint();
   MaterialPoint(const MaterialPoint&) = delete;
   MaterialPoint& operator=(const MaterialPoint&) = delete;
 
-  /// The values in a frame, at its time. In a mesh that was made on the way the material is found as nearly as
-  /// the mesh can say, and outside of it by a thousandth of the body's size and more there is nothing.
+  /// The values in a frame, at its time, and the positions of the point itself. In a mesh that was made on the way the
+  /// material is found as nearly as the mesh can say, and outside of it by a thousandth of the body's size and more there is
+  /// nothing.
   ProbePoint in(const FrameRecord& frame, const ProbedFields& fields) const;
 
  private:

@@ -58,8 +58,8 @@ std::vector<InputProblem> conflictsIn(const ProbeSpec& spec) {
           "names the patch of a face; expected face or depth beside it");
   require(!spec.reference || spec.point.empty(), "reference",
           "says where a path lies; the place of a point is always in the undeformed body");
-  require(!spec.window || !spec.isOverTime(), "window",
-          "says what values along a path are means of; expected no point and no mean beside it");
+  require(!spec.window || !spec.mean, "window",
+          "says what values along a path or at a point are means of; expected no mean beside it");
   require(!spec.penetration || (!spec.depth.empty() && !spec.mean), "penetration",
           "says how deep X-rays see; expected depth beside it, and no mean");
   require(!spec.penetration || !spec.window, "penetration", "found beside window; expected one of the two");

@@ -88,8 +88,10 @@ void describeProbe(Visitor& v, ProbeSpec& s, const Rule& ofFields) {
           "The path lies in the undeformed body and is measured there, not in the deformed one.");
   v.field("points", s.points, {.atLeast = 2, .atMost = 1e6},
           "Points at equal distances; those where the path leaves a body are added.");
-  v.field("window", s.window, {.above = 0, .unit = "length"},
-          "Mean values of a window of this width along the path instead of values at points.");
+  v.field(
+      "window", s.window, {.above = 0, .unit = "length"},
+      "Mean values of a window of this width along the path instead of values at points; of a point the mean over the disc, "
+      "in space the ball, of this diameter about it in the undeformed body.");
   describePenetration(v, s);
   v.field("mean", s.mean, {}, "The mean of all of the path over time instead of values along it.");
 }

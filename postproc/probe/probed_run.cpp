@@ -83,7 +83,9 @@ std::string meanWords(const ProbeSpec& spec, const std::string& lengthUnit) {
   };
   std::string words;
   if (spec.spot) words += fmt::format(", mean over a spot of {}", measured(*spec.spot));
-  if (spec.window) words += fmt::format(", mean over {}", measured(*spec.window));
+  if (spec.window)
+    words += fmt::format(", mean over {}{}", measured(*spec.window),
+                         spec.point.empty() ? "" : " around the point");
   if (spec.penetration) words += fmt::format(", by X-rays of penetration {}", measured(*spec.penetration));
   if (spec.mean)
     words += fmt::format(", mean {} {}", spec.depth.empty() ? "along" : "below", pathWords(spec));
@@ -160,7 +162,7 @@ ProbedRun withFormula(ProbedRun run, const ProbeSpec& spec) {
 void requirePlace(const ModelRecord& model, const FrameRecord& frame, const ProbeSpec& spec) {
   withChosenBodies(model, frame, spec, [&](const ModelRecord& chosen, const FrameRecord& shown) {
     if (!spec.point.empty()) {
-      const MaterialPoint point(chosen, pointOf(spec, chosen.dim));
+      const MaterialPoint point(chosen, pointOf(spec, chosen.dim), spec.window.value_or(0.0));
       return;
     }
     const ProbePath path = pathOf(spec, chosen.dim);
@@ -196,7 +198,8 @@ ProbedRun probedHistory(const ResultReader& result, const std::vector<int>& fram
       return;
     }
     const ProbedFields fields = fieldsOf(model, frame, spec);
-    if (!spec.point.empty() && !point) point.emplace(model, pointOf(spec, model.dim));
+    if (!spec.point.empty() && !point)
+      point.emplace(model, pointOf(spec, model.dim), spec.window.value_or(0.0));
     run.fields = fields.choices();
     run.points.push_back(point ? point->in(frame, fields)
                                : probedMean(model, frame, fields, pathOf(spec, model.dim), optionsOf(spec)));

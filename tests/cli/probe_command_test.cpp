@@ -115,6 +115,8 @@ TEST_F(ProbeCommand, SaysInWordsWhatAChartShows) {
                                    "Cauchy stress [MPa]", "Cauchy stress xx", "Cauchy stress yy"));
   EXPECT_THAT(chart("run --point 1,1 --field displacement"),
               UnorderedElementsAre("Time", "Displacement [mm]"));
+  EXPECT_THAT(chart("run --point 1,1 --window 0.2 --field displacement"),
+              UnorderedElementsAre("Time", "Displacement, mean over 0.2 mm around the point [mm]"));
   EXPECT_THAT(chart("run --face left --mean --field von_mises"),
               UnorderedElementsAre("Time", "von Mises stress, mean along face left [MPa]"));
 }
@@ -218,9 +220,10 @@ TEST_F(ProbeCommand, RefusesWhatDoesNotFit) {
                 "--length: says how deep depth goes; expected depth beside it");
   expectRefused("run --line 1,0:2,0 --patch a", "--patch: names the patch of a face; expected face or depth");
   expectRefused("run --point 1,1 --reference", "--reference: says where a path lies");
-  expectRefused("run --point 1,1 --window 1", "--window: says what values along a path are means of");
+  expectRefused("run --point 1,1 --window 500",
+                "window: only 0 of the 192 points of the disc of diameter 500");
   expectRefused("run --line 1,0:2,0 --window 1 --mean",
-                "--window: says what values along a path are means of");
+                "--window: says what values along a path or at a point are means of");
   expectRefused("run --point 1,1 --mean", "--mean: is that of a path; expected no point beside it");
   expectRefused("run --line 1,0:2,0 --window 0", "--window: found \"0\"; expected a number above 0");
   expectRefused("run --line 1,0:2,0 --points 1",
