@@ -130,6 +130,22 @@ TEST(IncompleteFactors, ShiftWhereLittleIsLeftOfAPivot) {
   EXPECT_EQ(shiftOf(Eigen::Matrix3d{{1.0, 0.998, 0.99}, {0.998, 1.0, 0.99}, {0.99, 0.99, 1.0}}), 0.0);
 }
 
+TEST(IncompleteFactors, BeginWithTheLeastShift) {
+  const grid::Matrix A = Eigen::MatrixXd::Identity(3, 3).sparseView();
+  const RowGroups groups(grid::rowsOf(A));
+  IncompleteFactors factors(groups);
+  const Eigen::Vector3d b(1.0, 2.0, 3.0);
+  int count = 0;
+  for (std::optional<double> shift = 0.0; shift; shift = IncompleteFactors::nextShift(*shift), ++count) {
+    ASSERT_TRUE(factors.factorise(grid::rowsOf(A), *shift));
+    EXPECT_EQ(factors.shift(), *shift);
+    Eigen::Vector3d x;
+    factors.solve(b.data(), x.data());
+    EXPECT_LT((x - b / (1.0 + *shift)).norm(), 1e-14);
+  }
+  EXPECT_EQ(count, 8);  // 0, 0.001 and six times four times as much
+}
+
 TEST(IncompleteFactors, SolveAgainAfterARightHandSideThatIsNotFinite) {
   const grid::Matrix A = grid::matrix(7, 6, 12.0);
   const RowGroups groups(grid::rowsOf(A));
