@@ -17,9 +17,12 @@
 #include "postproc/study/run_data.h"
 #include "postproc/study/study_listing.h"
 #include "postproc/study/study_reader.h"
+#include "tests/engine/scene/scene_samples.h"
 
 namespace burnish {
 namespace {
+
+using samples::replaced;
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -92,12 +95,6 @@ std::vector<std::string> names(const std::vector<const StudyRun*>& runs) {
   return list;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("the test's text has no \"" + from + "\"");
-  return text.replace(at, from.size(), to);
-}
-
 TEST_F(StudyFile, runsAreTheCombinationsOfTheParametersTheFirstSlowest) {
   const Study study = read(kStudy);
   EXPECT_THAT(names(study.matching({"*"})),
@@ -154,18 +151,18 @@ TEST(Combinations, haveOneEmptyMemberWithoutParameters) {
 }
 
 /// A mistake made in the good study, and the error that it gives.
-struct Mistake {
+struct MistakeOfStudy {
   const char* name;
   std::string from, to, error;
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* out) {
+void PrintTo(const MistakeOfStudy& mistake, std::ostream* out) {
   *out << mistake.name;
 }
 
-class StudyMistake : public StudyFile, public testing::WithParamInterface<Mistake> {};
+class StudyMistake : public StudyFile, public testing::WithParamInterface<MistakeOfStudy> {};
 
-std::string nameOf(const testing::TestParamInfo<Mistake>& test) {
+std::string nameOfMistake(const testing::TestParamInfo<MistakeOfStudy>& test) {
   return test.param.name;
 }
 
@@ -178,96 +175,105 @@ TEST_P(StudyMistake, isReportedWithPlaceKeyAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, StudyMistake,
     testing::Values(
-        Mistake{"unknown", "title: Bases", "titel: Bases",
-                "study.yaml:1:1: titel: found an unknown key; allowed: title, text, runs, figures, "
-                "statements. Did you mean \"title\"?"},
-        Mistake{
+        MistakeOfStudy{"unknown", "title: Bases", "titel: Bases",
+                       "study.yaml:1:1: titel: found an unknown key; allowed: title, text, runs, figures, "
+                       "statements. Did you mean \"title\"?"},
+        MistakeOfStudy{
             "unknownOfKind", "looks: {", "look: {",
             "study.yaml:12:78: figures[0].look: found an unknown key; allowed: name, caption, format, dpi, print_field, kind, runs"},
-        Mistake{
+        MistakeOfStudy{
             "kind", "kind: sheet", "kind: shet",
             "study.yaml:13:23: figures[1].kind: found shet; allowed: history | surface | probe | roughness | refinement | "
             "sheet | setup | composite | animation. Did you mean \"sheet\"?"},
-        Mistake{"field", "field: von_mises", "field: mises",
-                "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
-        Mistake{"dpiOfPixels", "y: strain_energy, looks", "dpi: 300, y: strain_energy, looks",
-                "study.yaml:12:65: figures[0].dpi: found beside a PNG, which has pixels and no inches; "
-                "leave it out, or take pdf or svg."},
-        Mistake{"animationForPrint", "kind: sheet, runs: [soft], times: [0, 1], time_labels: [start, end]",
-                "kind: animation, format: pdf, runs: [soft]",
-                "study.yaml:13:42: figures[1].format: found pdf; allowed: png, for this kind of figure is "
-                "made of pixels."},
-        Mistake{"missing", "y: strain_energy, looks", "looks",
-                "study.yaml:12:5: figures[0].y: missing; required: a text."}),
-    nameOf);
+        MistakeOfStudy{"field", "field: von_mises", "field: mises",
+                       "study.yaml:13:93: figures[1].field: found mises; allowed: displacement"},
+        MistakeOfStudy{
+            "dpiOfPixels", "y: strain_energy, looks", "dpi: 300, y: strain_energy, looks",
+            "study.yaml:12:65: figures[0].dpi: found beside a PNG, which has pixels and no inches; "
+            "leave it out, or take pdf or svg."},
+        MistakeOfStudy{
+            "animationForPrint", "kind: sheet, runs: [soft], times: [0, 1], time_labels: [start, end]",
+            "kind: animation, format: pdf, runs: [soft]",
+            "study.yaml:13:42: figures[1].format: found pdf; allowed: png, for this kind of figure is "
+            "made of pixels."},
+        MistakeOfStudy{"missing", "y: strain_energy, looks", "looks",
+                       "study.yaml:12:5: figures[0].y: missing; required: a text."}),
+    nameOfMistake);
 
 INSTANTIATE_TEST_SUITE_P(
     Names, StudyMistake,
     testing::Values(
-        Mistake{"runTwice", "block-{basis}-{degree}", "block-{basis}",
-                "study.yaml:3:11: runs[0].name: found the name block-nurbs a second time"},
-        Mistake{"unsafeRun", "name: block-{basis}-{degree}", "name: ../{basis}-{degree}",
-                "study.yaml:3:11: runs[0].name: found the name ../nurbs-1; allowed: up to 200 letters"},
-        Mistake{"brace", "label: \"{basis.label},", "label: \"{basis.lable},",
-                "study.yaml:9:12: runs[0].label: found \"{basis.lable}, p = {degree}\", where {basis.lable} "
-                "stands for nothing; allowed in braces: basis, basis.label, degree, degree.label. Did you "
-                "mean \"basis.label\"?"},
-        Mistake{"openBrace", "name: block-{basis}-{degree}", "name: \"block-{basis}-{degree\"",
-                "study.yaml:3:11: runs[0].name: found \"block-{basis}-{degree\": a brace is not closed"},
-        Mistake{"labels", "labels: [NURBS, C0]", "labels: [NURBS]",
-                "study.yaml:6:58: runs[0].vary[0].labels: found a list of 1; allowed: a list of 2"},
-        Mistake{"valueTwice", "values: [1, 2]}\n    set", "values: [2, 2]}\n    set",
-                "study.yaml:7:36: runs[0].vary[1].values[1]: found 2 a second time"},
-        Mistake{"figureTwice", "{name: map", "{name: energy",
-                "study.yaml:13:12: figures[1].name: found energy a second time"},
-        Mistake{"probePlaces",
-                "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
-                "probe, runs: [soft], line: \"0,0:1,1\", depth: top@0",
-                "study.yaml:13:50: figures[1].line: found line and depth; expected one of line, face, depth"},
-        Mistake{"probeTimes",
-                "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
-                "probe, runs: [soft], point: \"0,0\", times: [0, 1]",
-                "study.yaml:13:65: figures[1].times: found times of values over time; allowed: none."},
-        Mistake{"timeLabels", "time_labels: [start, end]", "time_labels: [start]",
-                "study.yaml:13:72: figures[1].time_labels: found a list of 1; allowed: a list of 2"},
-        Mistake{"captions", "captions: [a, b]", "captions: [a]",
-                "study.yaml:14:69: figures[2].captions: found a list of 1; allowed: a list of 2"}),
-    nameOf);
+        MistakeOfStudy{"runTwice", "block-{basis}-{degree}", "block-{basis}",
+                       "study.yaml:3:11: runs[0].name: found the name block-nurbs a second time"},
+        MistakeOfStudy{
+            "unsafeRun", "name: block-{basis}-{degree}", "name: ../{basis}-{degree}",
+            "study.yaml:3:11: runs[0].name: found the name ../nurbs-1; allowed: up to 200 letters"},
+        MistakeOfStudy{
+            "brace", "label: \"{basis.label},", "label: \"{basis.lable},",
+            "study.yaml:9:12: runs[0].label: found \"{basis.lable}, p = {degree}\", where {basis.lable} "
+            "stands for nothing; allowed in braces: basis, basis.label, degree, degree.label. Did you "
+            "mean \"basis.label\"?"},
+        MistakeOfStudy{
+            "openBrace", "name: block-{basis}-{degree}", "name: \"block-{basis}-{degree\"",
+            "study.yaml:3:11: runs[0].name: found \"block-{basis}-{degree\": a brace is not closed"},
+        MistakeOfStudy{"labels", "labels: [NURBS, C0]", "labels: [NURBS]",
+                       "study.yaml:6:58: runs[0].vary[0].labels: found a list of 1; allowed: a list of 2"},
+        MistakeOfStudy{"valueTwice", "values: [1, 2]}\n    set", "values: [2, 2]}\n    set",
+                       "study.yaml:7:36: runs[0].vary[1].values[1]: found 2 a second time"},
+        MistakeOfStudy{"figureTwice", "{name: map", "{name: energy",
+                       "study.yaml:13:12: figures[1].name: found energy a second time"},
+        MistakeOfStudy{
+            "probePlaces", "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
+            "probe, runs: [soft], line: \"0,0:1,1\", depth: top@0",
+            "study.yaml:13:50: figures[1].line: found line and depth; expected one of line, face, depth"},
+        MistakeOfStudy{"probeTimes",
+                       "sheet, runs: [soft], times: [0, 1], time_labels: [start, end], field: von_mises",
+                       "probe, runs: [soft], point: \"0,0\", times: [0, 1]",
+                       "study.yaml:13:65: figures[1].times: found times of values over time; allowed: none."},
+        MistakeOfStudy{"timeLabels", "time_labels: [start, end]", "time_labels: [start]",
+                       "study.yaml:13:72: figures[1].time_labels: found a list of 1; allowed: a list of 2"},
+        MistakeOfStudy{"captions", "captions: [a, b]", "captions: [a]",
+                       "study.yaml:14:69: figures[2].captions: found a list of 1; allowed: a list of 2"}),
+    nameOfMistake);
 
 INSTANTIATE_TEST_SUITE_P(
     References, StudyMistake,
     testing::Values(
-        Mistake{"scene", "scene: block.yaml\n", "scene: brick.yaml\n",
-                "study.yaml:3:5: runs[0]: the scene of the run block-nurbs-1 cannot be used: brick.yaml: "
-                "cannot be read"},
-        Mistake{"override", "set: [material.E=0.5]", "set: [material.nu=0.5]",
-                "study.yaml:10:5: runs[1]: the scene of the run soft cannot be used: --set material.nu=0.5: "
-                "material.nu: found 0.5; allowed: a number above -1 and below 0.5."},
-        Mistake{"pattern", "runs: [\"block-*\", soft]", "runs: [\"blok-*\", soft]",
-                "study.yaml:12:42: figures[0].runs[0]: found blok-*, which names no run; the runs are "
-                "block-nurbs-1, "},
-        Mistake{"looks", "color: basis", "color: base",
-                "study.yaml:12:93: figures[0].looks.color: found base; allowed: basis | degree."},
-        Mistake{"part", "figures: [energy, map]", "figures: [energy, both]",
-                "study.yaml:14:53: figures[2].figures[1]: found both; allowed: energy | map."},
-        Mistake{"measure", "measure: peak", "measure: peek",
-                "study.yaml:22:32: statements[0].claims[0].measure: found peek; allowed: peak. Did you mean "
-                "\"peak\"?"},
-        Mistake{"claimedRun", "soft]}", "hard]}", "study.yaml:22:99: statements[0].claims[0].runs[1]"},
-        Mistake{"oneRun", "runs: [\"block-nurbs-{d}\", soft]", "runs: [soft]",
-                "study.yaml:22:79: statements[0].claims[0].runs: found one run"},
-        Mistake{"between", "soft]}", "soft], expect: between}",
-                "study.yaml:22:9: statements[0].claims[0].range: required with between"},
-        Mistake{"within", "soft]}", "soft], within: 0.1}",
-                "study.yaml:22:114: statements[0].claims[0].within: found without equal or different"},
-        Mistake{
+        MistakeOfStudy{
+            "scene", "scene: block.yaml\n", "scene: brick.yaml\n",
+            "study.yaml:3:5: runs[0]: the scene of the run block-nurbs-1 cannot be used: brick.yaml: "
+            "cannot be read"},
+        MistakeOfStudy{
+            "override", "set: [material.E=0.5]", "set: [material.nu=0.5]",
+            "study.yaml:10:5: runs[1]: the scene of the run soft cannot be used: --set material.nu=0.5: "
+            "material.nu: found 0.5; allowed: a number above -1 and below 0.5."},
+        MistakeOfStudy{"pattern", "runs: [\"block-*\", soft]", "runs: [\"blok-*\", soft]",
+                       "study.yaml:12:42: figures[0].runs[0]: found blok-*, which names no run; the runs are "
+                       "block-nurbs-1, "},
+        MistakeOfStudy{"looks", "color: basis", "color: base",
+                       "study.yaml:12:93: figures[0].looks.color: found base; allowed: basis | degree."},
+        MistakeOfStudy{"part", "figures: [energy, map]", "figures: [energy, both]",
+                       "study.yaml:14:53: figures[2].figures[1]: found both; allowed: energy | map."},
+        MistakeOfStudy{
+            "measure", "measure: peak", "measure: peek",
+            "study.yaml:22:32: statements[0].claims[0].measure: found peek; allowed: peak. Did you mean "
+            "\"peak\"?"},
+        MistakeOfStudy{"claimedRun", "soft]}", "hard]}", "study.yaml:22:99: statements[0].claims[0].runs[1]"},
+        MistakeOfStudy{"oneRun", "runs: [\"block-nurbs-{d}\", soft]", "runs: [soft]",
+                       "study.yaml:22:79: statements[0].claims[0].runs: found one run"},
+        MistakeOfStudy{"between", "soft]}", "soft], expect: between}",
+                       "study.yaml:22:9: statements[0].claims[0].range: required with between"},
+        MistakeOfStudy{"within", "soft]}", "soft], within: 0.1}",
+                       "study.yaml:22:114: statements[0].claims[0].within: found without equal or different"},
+        MistakeOfStudy{
             "entry", "kind: history, y: strain_energy, reduce: max", "kind: summary, entry: iteratons",
             "study.yaml:20:57: statements[0].measures[0].entry: found iteratons; allowed: approach_iterations | "},
-        Mistake{"at", "reduce: max", "reduce: at",
-                "study.yaml:20:9: statements[0].measures[0].at: missing; required with `reduce: at`"},
-        Mistake{"figure", "figures: [both]", "figures: [all]",
-                "study.yaml:23:15: statements[0].figures[0]: found all; allowed: energy | map | both."}),
-    nameOf);
+        MistakeOfStudy{"at", "reduce: max", "reduce: at",
+                       "study.yaml:20:9: statements[0].measures[0].at: missing; required with `reduce: at`"},
+        MistakeOfStudy{
+            "figure", "figures: [both]", "figures: [all]",
+            "study.yaml:23:15: statements[0].figures[0]: found all; allowed: energy | map | both."}),
+    nameOfMistake);
 
 /// A mistake that shows only in what the results of the runs will have.
 class OutlookMistake : public StudyMistake {
@@ -293,47 +299,47 @@ TEST_P(OutlookMistake, isReportedWithPlaceKeyAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     Results, OutlookMistake,
     testing::Values(
-        Mistake{
+        MistakeOfStudy{
             "column", "y: strain_energy, looks", "y: strain_enery, looks",
             "study.yaml:12:63: figures[0].y: run block-nurbs-2: formula \"strain_enery\", character 1: there is no "
             "column \"strain_enery\". Did you mean \"strain_energy\"? The columns are time, strain_energy, disc.fy"},
-        Mistake{
+        MistakeOfStudy{
             "columnOfX", "y: strain_energy, looks", "y: 2*disc.fy, x: tme, looks",
             "study.yaml:12:77: figures[0].x: run block-nurbs-2: formula \"tme\", character 1: there is no column"},
-        Mistake{
+        MistakeOfStudy{
             "columnOfMeasure", "y: strain_energy, reduce: max",
             "y: strain_energy, where: step > 1, reduce: max",
             "study.yaml:20:75: statements[0].measures[0].where: run block-nurbs-2: formula \"step > 1\", character "
             "1: there is no column \"step\""},
-        Mistake{
+        MistakeOfStudy{
             "time", "times: [0, 1]", "times: [0, 0.75]",
             "study.yaml:13:55: figures[1].times[1]: found 0.75, but the run soft has no frame at that time, the "
             "nearest ones are at 0.5 and 1; allowed: a time of a frame, or output: {times: [0.75]} in the scene"},
-        Mistake{
+        MistakeOfStudy{
             "timeBehindTheEnd", "times: [0, 1]", "times: [0, 2]",
             "study.yaml:13:55: figures[1].times[1]: found 2, but the run soft ends at t = 1; allowed: a time up to "
             "then."},
-        Mistake{
+        MistakeOfStudy{
             "fieldOfAnotherLaw", "field: von_mises", "field: plastic_strain",
             "study.yaml:13:93: figures[1].field: run soft: found plastic_strain, but the material is elastic; "
             "allowed here: another field, such as von_mises."},
-        Mistake{
+        MistakeOfStudy{
             "fieldOfContact", "field: von_mises", "field: contact_pressure",
             "study.yaml:13:93: figures[1].field: run soft: found contact_pressure, but the scene has no contact;"},
-        Mistake{
+        MistakeOfStudy{
             "component", "field: von_mises", "field: stress.yz",
             "study.yaml:13:93: figures[1].field: run soft: found stress.yz, a component of three-dimensional scenes;"},
-        Mistake{
+        MistakeOfStudy{
             "body", "field: von_mises", "field: von_mises, body: [block]",
             "study.yaml:13:111: figures[1].body[0]: found block, but the one body of the run soft has no name; "
             "leave the key out."},
-        Mistake{"cutInThePlane", "field: von_mises", "field: von_mises, cut: x=1",
-                "study.yaml:13:109: figures[1].cut: "},
-        Mistake{
+        MistakeOfStudy{"cutInThePlane", "field: von_mises", "field: von_mises, cut: x=1",
+                       "study.yaml:13:109: figures[1].cut: "},
+        MistakeOfStudy{
             "line", "kind: history, y: strain_energy, reduce: max",
             "kind: line, field: plastic_strain, time: 0.5",
             "study.yaml:20:54: statements[0].measures[0].field: run block-nurbs-2: found plastic_strain, but"}),
-    nameOf);
+    nameOfMistake);
 
 TEST_F(OutlookMistake, NothingIsWrongWithWhatIsThere) {
   EXPECT_EQ(outlookErrorOf(kStudy), "no error");
