@@ -52,6 +52,10 @@ constexpr double kTelling = 1e-3;
 constexpr long kFew = 4;
 constexpr double kMostPerDigit = 1.5, kPaying = 0.5, kPayingWithProducts = 0.4;
 
+/// Steps are compared by systems that are solved to about the same reduction: the first digits cost less than later ones, most so with
+/// one step.
+constexpr double kLikeReduction = 0.1;
+
 /// Eigenvalues that a smoother's polynomial makes small, over the largest one that is estimated: from the smallest on
 /// that coarser meshes leave to one step, and from those that are left where one does not do.
 constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1, kSmallestWithProducts = 0.05;
@@ -188,7 +192,7 @@ class MultigridSolver::Implementation {
   const IterationCounts& counts() const { return counts_; }
   void archive(StateArchive& archive) {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
-    archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, triesMoreSteps_);
+    archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, reductionOfOne_, triesMoreSteps_);
     archive.fixedField("least_shifts", leastShifts_);
   }
   long numIndefinite() const { return numIndefinite_; }
@@ -361,19 +365,21 @@ class MultigridSolver::Implementation {
     if (isOwn) perDigitAtFirst_ = perDigit;
     isNear_ = factorises_ && x.allFinite() && perDigit <= kMostOverFirst * perDigitAtFirst_;
     if (isNear_ && isOwn && isWhole && !isIndefinite_ && accuracy.reduction <= kTelling)
-      chooseSteps(iterations, perDigit);
+      chooseSteps(iterations, perDigit, accuracy.reduction);
     return x;
   }
 
   /// Near incompressibility and beside faces that are collapsed more steps save more than half of the iterations; with
   /// fewer sums over ranks, where factors that overlap save as many again.
-  void chooseSteps(long iterations, double perDigit) {
+  void chooseSteps(long iterations, double perDigit, double reduction) {
     if (!triesMoreSteps_) return;
     if (steps_ == 1 && iterations > kFew && perDigit > kMostPerDigit) {
       perDigitOfOne_ = perDigit;
+      reductionOfOne_ = reduction;
       perDigitAtFirst_ = paying() * perDigit;
       setSmoother(A_->hasProducts() ? kStepsWithProducts : kMoreSteps, true);
-    } else if (steps_ > 1 && perDigit > paying() * perDigitOfOne_) {
+    } else if (steps_ > 1 && reduction >= kLikeReduction * reductionOfOne_ &&
+               perDigit > paying() * perDigitOfOne_) {
       triesMoreSteps_ = false;
       setSmoother(1, false);
     }
@@ -806,10 +812,11 @@ class MultigridSolver::Implementation {
   Eigen::VectorXd unfinished_;  ///< where GMRES has come to for this right-hand side; empty where it begins
   IterationCounts counts_;
   long numIndefinite_ = 0;
-  bool factorises_ = true;      ///< smooths with incomplete factors, else by over-relaxation
-  int steps_ = 1;               ///< of the smoother with incomplete factors
-  bool overlaps_ = false;       ///< those of several ranks
-  double perDigitOfOne_ = 0.0;  ///< iterations with one step, where more are taken
+  bool factorises_ = true;  ///< smooths with incomplete factors, else by over-relaxation
+  int steps_ = 1;           ///< of the smoother with incomplete factors
+  bool overlaps_ = false;   ///< those of several ranks
+  double perDigitOfOne_ = 0.0,
+         reductionOfOne_ = 0.0;  ///< iterations with one step, where more are taken, and to what
   bool triesMoreSteps_ = true;
   bool isIndefinite_ = false;
   bool isSetUp_ = false;         ///< the V-cycle
