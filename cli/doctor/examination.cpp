@@ -135,7 +135,7 @@ std::vector<Examined> allExamined() {
        "install Mesa for drawing in memory (Debian: apt-get install libosmesa6, or libegl1 and libgl1-mesa-dri), and leave the choice to the program (unset BURNISH_GL)"},
       {"fonts", "", [] { return fmt::format("{}: {}", kDefaultFont, fontNamed(kDefaultFont).file); },
        "install the font (Debian: apt-get install fonts-dejavu-core)"},
-      {"occlusion", "bodies in space, unless they are drawn with --occlusion off", occlusionText,
+      {"occlusion", "bodies in space: shadows, hidden edges and pages for print", occlusionText,
        "install Embree (Debian: apt-get install libembree3-3)"},
       {"multigrid", "large bodies in space: solver: {linear: multigrid}", multigridText,
        "build the program with PETSc, that is without BURNISH_PETSC=OFF"},

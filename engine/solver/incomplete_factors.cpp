@@ -68,6 +68,10 @@ std::optional<double> IncompleteFactors::nextShift(double shift) {
   return next < kMostShift ? std::optional(next) : std::nullopt;
 }
 
+double IncompleteFactors::shiftBefore(double shift) {
+  return shift > kFirstShift ? shift / kNextShift : 0.0;
+}
+
 bool IncompleteFactors::factorise(const SparseRows& A, double leastShift) {
   inverses_.resize(static_cast<std::size_t>(groups_->size()));
   for (auto& row : row_) row.assign(static_cast<std::size_t>(groups_->numRows() + ChunkedRows::kBehind), 0.0);

@@ -22,6 +22,9 @@ class IncompleteFactors {
   /// The one of the α after this one; none after the last.
   static std::optional<double> nextShift(double shift);
 
+  /// The one before; 0 before the first and 0 itself.
+  static double shiftBefore(double shift);
+
   /// α of the present factors.
   double shift() const { return shift_; }
 

@@ -183,8 +183,9 @@ ContactPath laidContact(const ModelRecord& model, const FrameRecord& frame, cons
   std::vector<ContactOnFace> contacts;
   for (const ContactRecord* contact : contactsOfFace(frame, face, spec))
     contacts.emplace_back(mesh, *contact, nearest, spec.fields);
-  static_cast<void>(
-      lineLength(laid->line.begin, laid->line.end, BodyLocator<3>(mesh, frame.displacement).size()));
+  const double size = BodyLocator<3>(mesh, frame.displacement).size();
+  static_cast<void>(lineLength(laid->line.begin, laid->line.end, size));
+  requireNotTooLong("window", spec.window.value_or(0.0), size);
   const LaidLine line(deformed, laid->line.begin, laid->line.end, spec.points, spec.window.value_or(0.0));
   const PathProbe probe = [=, fields = spec.fields, body = record.body](double length) {
     const LaidLine::Place place = line.at(length);

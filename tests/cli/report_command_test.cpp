@@ -67,13 +67,16 @@ fallback ${within.querySelector("#fallback").hidden}
 TEST_F(ReportCommand, HasABodyToTurnInIt) {
   ASSERT_EQ(report("out --turn").code, 0);
   EXPECT_FALSE(fs::exists(dir / "out/report.view.html"));
+  EXPECT_THAT(readText(dir / "out/report.html"),
+              testing::AllOf(HasSubstr("<iframe"), HasSubstr("&quot;name&quot;:&quot;von_mises&quot;")));
   ASSERT_EQ(report("out -o plain.html").code, 0);
   EXPECT_THAT(readText(dir / "plain.html"), Not(HasSubstr("<iframe")));
   if (!haveBrowser()) GTEST_SKIP() << "no chromium; scripts/setup installs it";
   const Outcome page = usePage(dir, dir / "out/report.html", kTurner, kWebGl);
   EXPECT_EQ(complaintsOf(page), "");
   EXPECT_THAT(page.out, HasSubstr("fallback true")) << "it draws";
-  EXPECT_THAT(page.out, HasSubstr("t = 1"));
+  EXPECT_THAT(page.out, HasSubstr("when t = 1"));
+  EXPECT_THAT(page.out, HasSubstr("fields von_mises\n"));
 }
 
 TEST_F(ReportCommand, RefusesWhatIsNoRunAndNoStudy) {

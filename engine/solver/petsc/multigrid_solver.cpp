@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,6 +64,9 @@ constexpr double kLargest = 1.1, kSmallestOfOneStep = 0.4, kSmallest = 0.1, kSma
 /// A larger eigenvalue of a matrix with its factors comes from few functions for which these are almost singular, where all others are
 /// below 7: what a smoother's polynomial is then made for leaves the others as they are. A larger shift has factors without such ones.
 constexpr double kMostOfFactors = 12.0;
+
+/// Searches after which a larger shift is lowered again, as far as the factors allow: one bad matrix is not to be felt for ever.
+constexpr int kSearchesWithShift = 32;
 
 /// Searches that go without incomplete factors after a search that has needed to.
 constexpr int kMostWithout = 64;
@@ -126,6 +130,7 @@ class MultigridSolver::Implementation {
     isNear_ = knowsSpectra_ = false;
     if (factorises_ && hasSolved_) pause_ = 0;  // the search before has done with factors
     hasSolved_ = false;
+    if (++searchesWithShift_ >= kSearchesWithShift) lowerShifts();
     useFactors(searchesWithout_ == 0);
     if (searchesWithout_ > 0) --searchesWithout_;
   }
@@ -194,6 +199,7 @@ class MultigridSolver::Implementation {
     archive.together("without_factors", searchesWithout_, pause_, factorises_, hasSolved_);
     archive.together("smoothing", steps_, overlaps_, perDigitOfOne_, reductionOfOne_, triesMoreSteps_);
     archive.fixedField("least_shifts", leastShifts_);
+    archive.field("searches_with_shift", searchesWithShift_);
   }
   long numIndefinite() const { return numIndefinite_; }
 
@@ -231,17 +237,34 @@ class MultigridSolver::Implementation {
   bool raiseShifts() {
     bool isRaised = false;
     for (std::size_t k = 0; k < smoothers_.size(); ++k) {
-      if (spectra_[smoothers_.size() - 1 - k] <= kMostOfFactors) continue;
-      // Ranks may have several shifts, and raise one together.
-      const double shift = team_.isAlone() ? smoothers_[k]->shift() : leastShifts_[k];
-      const std::optional<double> next = IncompleteFactors::nextShift(shift);
+      const double largest = spectra_[smoothers_.size() - 1 - k];
+      if (!(largest > kMostOfFactors) || !std::isfinite(largest)) continue;
+      const std::optional<double> next = IncompleteFactors::nextShift(largestShift(k));
       if (!next) continue;
       leastShifts_[k] = *next;
       petsc::noteChangedValues(matrixOf(k));
       isRaised = true;
     }
-    if (isRaised) knowsSpectra_ = false;
+    if (isRaised) {
+      knowsSpectra_ = false;
+      searchesWithShift_ = 0;
+    }
     return isRaised;
+  }
+
+  /// Of a level, that any rank has.
+  double largestShift(std::size_t level) const {
+    std::vector<double> shifts(static_cast<std::size_t>(team_.size()));
+    std::vector<int> begins(shifts.size() + 1);
+    std::iota(begins.begin(), begins.end(), 0);
+    shifts[static_cast<std::size_t>(team_.rank())] = smoothers_[level]->shift();
+    team_.gather(asSpan(shifts), begins);
+    return std::ranges::max(shifts);
+  }
+
+  void lowerShifts() {
+    for (double& shift : leastShifts_) shift = IncompleteFactors::shiftBefore(shift);
+    searchesWithShift_ = 0;
   }
 
   /// Those of all levels below the finest one.
@@ -804,6 +827,7 @@ class MultigridSolver::Implementation {
   std::vector<std::unique_ptr<LevelSmoother>>
       smoothers_;                    ///< of all levels but the coarsest, if the cycle has factors
   std::vector<double> leastShifts_;  ///< of the factors of these
+  int searchesWithShift_ = 0;        ///< since one of them was set last
 
   petsc::Preconditioner cycle_;
   petsc::Vector in_, out_;

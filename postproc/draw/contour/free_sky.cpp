@@ -6,14 +6,12 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 namespace burnish {
-
 namespace {
 
 /// With 256 rays a share is off by 0.003 (root mean square); with the fewest by 0.008.

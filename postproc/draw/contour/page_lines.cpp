@@ -3,7 +3,6 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkContourFilter.h>
 #include <vtkDataArray.h>
@@ -92,13 +91,21 @@ class SeenTogether {
 /// The lines in as few pieces as there can be.
 vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
   vtkNew<vtkPolyData> alone;  // polygons beside them would become strips
+  if (lines.GetNumberOfPoints() == 0) return alone.Get();
+  const std::vector<vtkIdType> one = firstOfSame(*lines.GetPoints(), kSamePoint * lines.GetLength());
+  vtkNew<vtkCellArray> segments;
+  for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
+    std::vector<vtkIdType> different;
+    for (const vtkIdType point : line)
+      if (const vtkIdType first = one[static_cast<std::size_t>(point)];
+          different.empty() || different.back() != first)
+        different.push_back(first);
+    if (different.size() > 1) segments->InsertNextCell(std::ssize(different), different.data());
+  }
   alone->SetPoints(lines.GetPoints());
-  alone->SetLines(lines.GetLines());
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(alone);
-  clean->SetTolerance(kSamePoint);
+  alone->SetLines(segments);
   vtkNew<vtkStripper> strip;
-  strip->SetInputConnection(clean->GetOutputPort());
+  strip->SetInputData(alone);
   strip->JoinContiguousSegmentsOn();
   strip->SetMaximumLength(std::numeric_limits<int>::max());
   strip->Update();
@@ -247,7 +254,7 @@ vtkSmartPointer<vtkPolyData> seenLoops(vtkPolyData& loops, const SeenLines& seen
   for (const std::vector<vtkIdType>& loop : pointsOfLines(loops)) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const vtkIdType point : loop) middle += Eigen::Map<const Eigen::Vector3d>(loops.GetPoint(point));
-    if (seen.shareAt(middle / static_cast<double>(loop.size()), lift) > 0.5)
+    if (seen.shareAt(middle / static_cast<double>(loop.size()), lift) > SeenLines::kHidden)
       kept->InsertNextCell(std::ssize(loop), loop.data());
   }
   const auto result = vtkSmartPointer<vtkPolyData>::New();

@@ -32,7 +32,9 @@ class Embree {
     try {
       return {"libembree3.so.3", "libembree3-3"};
     } catch (const Error& error) {
-      throw Error(fmt::format("{}; draw PNG pictures with occlusion off", error.what()));
+      throw Error(fmt::format(
+          "{}; without it bodies in space are drawn as PNG with occlusion off and hidden lines off",
+          error.what()));
     }
   }
 
@@ -116,7 +118,8 @@ RayStops::RayStops(const Surfaces& surfaces, const RaySpace& space)
   embree.commitScene(scene_);
   if (embree.getDeviceError(device_) != RTC_ERROR_NONE) {
     release();
-    throw Error("not enough memory to follow rays; draw a PNG picture with occlusion off");
+    throw Error(
+        "not enough memory to follow rays; draw a PNG picture with occlusion off and hidden lines off");
   }
 }
 

@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
+#include "engine/core/interruption.h"
 #include "postproc/draw/contour/ray_stops.h"
+#include "postproc/draw/contour/shape_lines.h"
 #include "postproc/mesh/poly_builder.h"
 
 namespace burnish {
@@ -32,22 +35,19 @@ std::vector<LinePlaces> placesOf(vtkPolyData& lines) {
   vtkCellArray& cells = *lines.GetLines();
   for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
     cells.GetCellAtId(cell, ids);
-    LinePlaces& line = all.emplace_back();
+    LinePlaces line;
     for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) line.emplace_back(lines.GetPoint(ids->GetId(k)));
+    all.push_back(std::move(line));
   }
   return all;
-}
-
-/// Whether all of a segment is on one outer side of an area.
-bool isBeside(const PixelRect& area, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return std::max(a.x(), b.x()) < area.x || std::min(a.x(), b.x()) > area.right() ||
-         std::max(a.y(), b.y()) < area.y || std::min(a.y(), b.y()) > area.top();
 }
 
 }  // namespace
 
 struct SeenLines::Group {
-  double lift, opacity, length;
+  double lift, opacity;
+  Eigen::Vector3d middle;
+  double radius;  ///< of a ball about the middle in which all surfaces are
   std::unique_ptr<RayStops> stops;
 };
 
@@ -69,7 +69,7 @@ double SeenLines::shareAt(const Eigen::Vector3d& point, double lift) const {
   for (const Group& group : groups_) {
     const double before = lift - group.lift;
     Eigen::Vector3d origin = point + before * view_.towardsEye(), towards = view_.towardsEye();
-    double reach = group.length;
+    double reach = std::numeric_limits<double>::infinity();
     if (view_.eye) {  // lifted along the line of sight by a distance across the picture
       constexpr double kMost = 0.99;
       const Eigen::Vector3d way = view_.eye->position(view_.axes) - point;
@@ -77,6 +77,12 @@ double SeenLines::shareAt(const Eigen::Vector3d& point, double lift) const {
       towards = way.normalized();
       reach = (view_.eye->position(view_.axes) - origin).norm();
     }
+    // From where the ray comes to the surfaces, however far that is, to where it has passed them.
+    const double passes = towards.dot(group.middle - origin), begin = std::max(0.0, passes - group.radius),
+                 end = std::min(reach, passes + group.radius);
+    if (begin >= end) continue;
+    origin += begin * towards;
+    reach = end - begin;
     const bool isOpaque = group.opacity == 1.0;
     const int sides = group.stops->numMet(origin, towards, reach, isOpaque ? 1 : kMostSides);
     share *= std::pow(1.0 - group.opacity, sides);
@@ -92,13 +98,25 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
   const auto asideOf = [&](const Eigen::Vector2d& along, double far) -> Eigen::Vector3d {
     return far * view_.axes.transpose() * Eigen::Vector2d(-along.y(), along.x()).normalized();
   };
+  const PixelRect seen{view_.area.x - width, view_.area.y - width, view_.area.width + 2.0 * width,
+                       view_.area.height + 2.0 * width};
   const auto follow = [&](const LinePlaces& line, std::vector<Piece>& pieces) {
+    throwIfInterrupted();
+    bool goesOn = false;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const Eigen::Vector3d &from = line[k], way = line[k + 1] - from;
-      const Eigen::Vector2d begin = view_.pixel(from), end = view_.pixel(line[k + 1]);
-      const double pixels = (end - begin).norm();
+      const Eigen::Vector3d &from = line[k], &to = line[k + 1];
+      const Eigen::Vector2d begin = view_.pixel(from), end = view_.pixel(to);
+      const double sizeFrom = view_.pixelsPerLengthAt(from), sizeTo = view_.pixelsPerLengthAt(to);
+      const LinePart inside = partWithin(seen, begin, end);
+      goesOn = goesOn && inside.begin == 0.0;
+      if (inside.begin > inside.end) continue;
+      const double pixels = (inside.end - inside.begin) * (end - begin).norm();
       const Eigen::Vector3d aside = asideOf(end - begin, 0.5 * width);
-      const auto at = [&](double part) -> Eigen::Vector3d { return from + part * way; };
+      // part: of the inside, in pixels
+      const auto at = [&](double part) -> Eigen::Vector3d {
+        const double whole = inside.begin + part * (inside.end - inside.begin);
+        return from + whole * sizeTo / ((1.0 - whole) * sizeFrom + whole * sizeTo) * (to - from);
+      };
       const auto shareOf = [&](double part) {
         const double share = shareAt(at(part), lift);
         if (share == 1.0 || pixels == 0.0) return share;
@@ -106,9 +124,8 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
         return std::max({share, shareAt(at(part) + side, lift), shareAt(at(part) - side, lift)});
       };
       double share = shareOf(0.0);
-      if (pieces.empty() || pieces.back().share != share) pieces.push_back({{from}, share});
-      const double steps =
-          isBeside(view_.area, begin, end) ? 1.0 : std::max(1.0, std::ceil(pixels / kPixelsOfStep));
+      if (!goesOn || pieces.back().share != share) pieces.push_back({{at(0.0)}, share});
+      const double steps = std::max(1.0, std::ceil(pixels / kPixelsOfStep));
       for (double step = 0.0; step < steps; ++step) {
         double before = step / steps, after = (step + 1.0) / steps;
         const double next = shareOf(after);
@@ -122,9 +139,9 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
         pieces.push_back({{border}, next});
         share = next;
       }
-      pieces.back().places.push_back(line[k + 1]);
+      pieces.back().places.push_back(at(1.0));
+      goesOn = inside.end == 1.0;
     }
-    std::erase_if(pieces, [](const Piece& piece) { return piece.places.size() < 2; });
   };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()), [&](const auto& range) {
     for (std::size_t k = range.begin(); k < range.end(); ++k)
@@ -138,7 +155,6 @@ std::vector<SeenLines::Piece> SeenLines::piecesOf(vtkPolyData& lines, double lif
 
 vtkSmartPointer<vtkPolyData> SeenLines::hiddenOf(vtkPolyData& lines, double lift, double width) const {
   PolyBuilder builder;
-  constexpr double kHidden = 0.25;
   for (const Piece& piece : piecesOf(lines, lift, width)) {
     if (piece.share > kHidden) continue;
     Eigen::Matrix3Xd places(3, std::ssize(piece.places));

@@ -24,6 +24,9 @@ struct HidingSurface {
 /// is as far before a line as this is drawn before the surface.
 class SeenLines {
  public:
+  /// Of what of its darkness less comes through counts as hidden.
+  static constexpr double kHidden = 0.25;
+
   /// Throws as `RayStops`.
   SeenLines(const std::vector<HidingSurface>& surfaces, const View& view);
   ~SeenLines();
@@ -36,12 +39,12 @@ class SeenLines {
     double share;  ///< of its darkness that comes through
   };
 
-  /// The parts of polylines, seen are those of which the middle or one of the sides is seen in the area of the view, or which may be beside it: of one
-  /// round a surface the side beyond it. What is hidden or seen over less than a quarter of a pixel may be missed. lift: towards
-  /// the eye, as they are drawn. width: in pixels.
+  /// Polylines in the area of the view, in parts, of which those are seen whose middle or one of whose sides is: a line round a surface
+  /// is seen from beyond it. Where less than a quarter of a pixel is hidden or seen, that may be missed. lift: towards the eye, as
+  /// they are drawn. width: in pixels. Throws `Interrupted`.
   std::vector<Piece> piecesOf(vtkPolyData& lines, double lift, double width) const;
 
-  /// The parts of which hardly anything is seen.
+  /// The parts that are hidden.
   vtkSmartPointer<vtkPolyData> hiddenOf(vtkPolyData& lines, double lift, double width) const;
 
   /// What comes through of the darkness of a point.

@@ -36,24 +36,6 @@ bool covers(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& place) {
   return inside;
 }
 
-/// Which part of a line between two places lies in an area, as parts of its length; empty (begin > end) if it passes by.
-struct LinePart {
-  double begin = 0.0, end = 1.0;
-};
-LinePart partWithin(const PixelRect& area, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  const Eigen::Vector2d low(area.x, area.y), high(area.right(), area.top()), way = to - from;
-  LinePart part;
-  for (const Eigen::Index d : {0, 1}) {
-    if (way(d) == 0.0) {
-      if (from(d) < low(d) || from(d) > high(d)) return {1.0, 0.0};
-      continue;
-    }
-    const auto [enters, leaves] = std::minmax({(low(d) - from(d)) / way(d), (high(d) - from(d)) / way(d)});
-    part = {std::max(part.begin, enters), std::min(part.end, leaves)};
-  }
-  return part;
-}
-
 /// Of surfaces, in pixels.
 std::vector<Eigen::Matrix2Xd> polygonsOf(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
                                          const View& view) {
@@ -70,6 +52,20 @@ std::vector<Eigen::Matrix2Xd> polygonsOf(const std::vector<vtkSmartPointer<vtkPo
 }
 
 }  // namespace
+
+LinePart partWithin(const PixelRect& area, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d low(area.x, area.y), high(area.right(), area.top()), way = to - from;
+  LinePart part;
+  for (const Eigen::Index d : {0, 1}) {
+    if (way(d) == 0.0) {
+      if (from(d) < low(d) || from(d) > high(d)) return {1.0, 0.0};
+      continue;
+    }
+    const auto [enters, leaves] = std::minmax({(low(d) - from(d)) / way(d), (high(d) - from(d)) / way(d)});
+    part = {std::max(part.begin, enters), std::min(part.end, leaves)};
+  }
+  return part;
+}
 
 vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface) {
   vtkNew<vtkCleanPolyData> clean;

@@ -11,6 +11,12 @@ class vtkPolyData;
 /// Lines that show the shape of a surface in space.
 namespace burnish {
 
+/// Which part of a line between two places lies in an area, as parts of its length; empty (begin > end) if it passes by.
+struct LinePart {
+  double begin = 0.0, end = 1.0;
+};
+LinePart partWithin(const PixelRect& area, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+
 /// The surface with one point where several coincide.
 vtkSmartPointer<vtkPolyData> withoutSeams(vtkPolyData& surface);
 

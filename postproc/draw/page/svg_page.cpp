@@ -35,11 +35,11 @@ class SvgPainter {
   /// The letters of the texts in their fonts, so that a page looks the same where these are not installed.
   std::string fonts() const {
     std::string rules;
-    for (const auto& [family, used] : fonts_) {
-      const std::string font = fontOfLetters(used.letters, used.file);
+    for (const auto& [file, used] : fonts_) {
+      const std::string font = fontOfLetters(used.letters, file);
       if (!font.empty())
         rules += fmt::format("@font-face{{font-family:'{}';src:url(data:font/{};base64,{})}}\n",
-                             escaped(family), font.starts_with("OTTO") ? "otf" : "ttf", base64(font));
+                             escaped(used.family), font.starts_with("OTTO") ? "otf" : "ttf", base64(font));
     }
     return rules.empty() ? "" : fmt::format("<style>\n{}</style>\n", rules);
   }
@@ -112,14 +112,14 @@ class SvgPainter {
  private:
   /// Letters that are drawn in a font.
   struct UsedFont {
-    std::string file;
+    std::string family;
     std::set<char32_t> letters;
   };
 
   /// All of a text: those of scripts from right to left are no longer in the pieces which have them.
   void addLetters(const Font& font, const std::vector<TextPiece>& pieces) {
     if (font.family.empty()) return;
-    UsedFont& used = fonts_.try_emplace(font.family, UsedFont{font.file, {}}).first->second;
+    UsedFont& used = fonts_.try_emplace(font.file, UsedFont{font.family, {}}).first->second;
     for (const TextPiece& piece : pieces)
       for (std::size_t at = 0; at < piece.piece.letters.size();) {
         const auto [letter, length] = letterAt(piece.piece.letters, at);
@@ -170,7 +170,7 @@ class SvgPainter {
   double height_;
   std::string text_;
   std::vector<PixelRect> clips_;
-  std::map<std::string, UsedFont> fonts_;  ///< by family
+  std::map<std::string, UsedFont> fonts_;  ///< by file
 };
 
 }  // namespace

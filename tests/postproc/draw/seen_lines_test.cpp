@@ -84,6 +84,27 @@ TEST(SeenLines, AreWholeWithWhatIsHidden) {
   EXPECT_NEAR(hidden->GetBounds()[1], 1.0, 0.01 * kOfEnd);
 }
 
+/// However small a surface and however far before a line.
+TEST(SeenLines, EndBehindASmallPlateFarAway) {
+  const SeenLines seen({{plate(1e4), 0.0, 1.0}}, fromAbove());
+  const std::vector<Span> spans = spansOf(seen, *along(0.0, -1e3), 0.0);
+  ASSERT_EQ(spans.size(), 2);
+  EXPECT_NEAR(spans[0].end, -1.0, 0.01 * kOfEnd);
+  EXPECT_NEAR(spans[1].begin, 1.0, 0.01 * kOfEnd);
+}
+
+/// What lies beside the view, of a picture of a part, takes no time.
+TEST(SeenLines, EndBesideTheView) {
+  View view = fromAbove();
+  view.pixelsPerLength = 1e9;
+  const SeenLines seen({{plate(1.0), 0.0, 1.0}}, view);
+  const std::vector<Span> spans = spansOf(seen, *along(0.0, 2.0), 0.0);
+  ASSERT_EQ(spans.size(), 1);
+  EXPECT_NEAR(1e9 * spans[0].begin, -501.0, 1e-3);
+  EXPECT_NEAR(1e9 * spans[0].end, 501.0, 1e-3);
+  EXPECT_TRUE(spansOf(seen, *along(0.0, 0.0), 0.0).empty());
+}
+
 /// As the outline of a face that is drawn over its body.
 TEST(SeenLines, RoundASurfaceAreSeenFromBeyondIt) {
   const SeenLines seen({{plate(1.0), 0.0, 1.0}}, fromAbove());
