@@ -57,8 +57,9 @@ SeenLines::SeenLines(const std::vector<HidingSurface>& surfaces, const View& vie
     if (surface.opacity > 0.0) alike[{surface.lift, surface.opacity}].push_back(surface.shape);
   for (const auto& [look, shapes] : alike) {
     const RaySpace space = raySpaceOf(shapes);
+    const double radius = 4.0 / space.scale;  // places in the space are no larger than 2
     groups_.push_back(
-        {look.first, look.second, 8.0 / space.scale, std::make_unique<RayStops>(shapes, space)});
+        {look.first, look.second, space.middle, radius, std::make_unique<RayStops>(shapes, space)});
   }
 }
 
