@@ -139,8 +139,8 @@ TEST(IncompleteFactors, BeginWithTheLeastShift) {
   for (std::optional<double> shift = 0.0; shift; shift = IncompleteFactors::nextShift(*shift), ++count) {
     ASSERT_TRUE(factors.factorise(grid::rowsOf(A), *shift));
     EXPECT_EQ(factors.shift(), *shift);
-    if (const auto next = IncompleteFactors::nextShift(*shift))
-      EXPECT_EQ(IncompleteFactors::shiftBefore(*next), *shift);
+    const auto next = IncompleteFactors::nextShift(*shift);
+    EXPECT_EQ(IncompleteFactors::shiftBefore(next.value_or(0.0)), next ? *shift : 0.0);
     Eigen::Vector3d x;
     factors.solve(b.data(), x.data());
     EXPECT_LT((x - b / (1.0 + *shift)).norm(), 1e-14);
