@@ -59,7 +59,7 @@ constexpr const char* kTurner = R"(<script>addEventListener("load", () => setTim
 const within = document.querySelector("iframe").contentDocument;
 document.body.insertAdjacentHTML("beforeend", `<pre>
 when ${within.querySelector("#when").textContent}
-fields ${[...within.querySelectorAll("#field option")].map((o) => o.value)}
+fields ${[...within.querySelectorAll("#field option")].map((o) => o.textContent)}
 fallback ${within.querySelector("#fallback").hidden}
 </pre>`);
 }, 2000));</script>)";
@@ -76,7 +76,7 @@ TEST_F(ReportCommand, HasABodyToTurnInIt) {
   EXPECT_EQ(complaintsOf(page), "");
   EXPECT_THAT(page.out, HasSubstr("fallback true")) << "it draws";
   EXPECT_THAT(page.out, HasSubstr("when t = 1"));
-  EXPECT_THAT(page.out, HasSubstr("fields von_mises\n"));
+  EXPECT_THAT(page.out, HasSubstr("fields von Mises stress\n"));
 }
 
 TEST_F(ReportCommand, RefusesWhatIsNoRunAndNoStudy) {
