@@ -105,6 +105,7 @@ HtmlPage turnedPage(const RunRecord& run, const ReportOptions& report, const std
   options.slice.reset();
   options.arrows = ArrowField::None;
   options.controlNet = false;
+  if (options.theme.name != ChosenTheme().name) options.pageTheme = options.theme;
   const std::string field = contourOptions(report.picture, run.result, run.result.frame(frames.back())).field;
   return viewPage(run.result, frames, {field}, options, html);
 }

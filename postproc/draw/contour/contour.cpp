@@ -606,7 +606,7 @@ class ContourPicture {
     std::vector<HiddenLine> all;
     for (const SpaceLines& part : allLines(plan)) {
       if (part.lines != parts_.outline && part.layer != kToolLines) continue;
-      const auto hidden = seen.hiddenOf(*part.lines, liftOf(part, view), part.width);
+      const auto hidden = seen.hiddenOf(*inFewPieces(*part.lines), liftOf(part, view), part.width);
       if (hidden->GetNumberOfLines() > 0) all.push_back({withWayAlong(*hidden, view), part.width});
     }
     return all;

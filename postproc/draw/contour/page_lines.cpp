@@ -88,30 +88,6 @@ class SeenTogether {
   std::map<double, PageLines> byShare_;
 };
 
-/// The lines in as few pieces as there can be.
-vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
-  vtkNew<vtkPolyData> alone;  // polygons beside them would become strips
-  if (lines.GetNumberOfPoints() == 0) return alone.Get();
-  const std::vector<vtkIdType> one = firstOfSame(*lines.GetPoints(), kSamePoint * lines.GetLength());
-  vtkNew<vtkCellArray> segments;
-  for (const std::vector<vtkIdType>& line : pointsOfLines(lines)) {
-    std::vector<vtkIdType> different;
-    for (const vtkIdType point : line)
-      if (const vtkIdType first = one[static_cast<std::size_t>(point)];
-          different.empty() || different.back() != first)
-        different.push_back(first);
-    if (different.size() > 1) segments->InsertNextCell(std::ssize(different), different.data());
-  }
-  alone->SetPoints(lines.GetPoints());
-  alone->SetLines(segments);
-  vtkNew<vtkStripper> strip;
-  strip->SetInputData(alone);
-  strip->JoinContiguousSegmentsOn();
-  strip->SetMaximumLength(std::numeric_limits<int>::max());
-  strip->Update();
-  return strip->GetOutput();
-}
-
 /// Cells that have the points on their common borders in common; those that have no area then are left out.
 vtkSmartPointer<vtkPolyData> joined(vtkPolyData& cells) {
   if (cells.GetNumberOfPoints() == 0) return &cells;
@@ -193,6 +169,32 @@ std::vector<PagePoints> loopsOf(vtkPolyData& segments, const View& view) {
 }
 
 }  // namespace
+
+vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines) {
+  vtkNew<vtkPolyData> alone;  // polygons beside them would become strips
+  if (lines.GetNumberOfPoints() == 0) return alone.Get();
+  const std::vector<vtkIdType> one = firstOfSame(*lines.GetPoints(), kSamePoint * lines.GetLength());
+  std::vector<std::array<vtkIdType, 2>> segments;
+  for (const std::vector<vtkIdType>& line : pointsOfLines(lines))
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const vtkIdType a = one[static_cast<std::size_t>(line[k])],
+                      b = one[static_cast<std::size_t>(line[k + 1])];
+      if (a != b) segments.push_back({std::min(a, b), std::max(a, b)});
+    }
+  std::ranges::sort(segments);
+  const auto repeated = std::ranges::unique(segments);
+  segments.erase(repeated.begin(), repeated.end());
+  vtkNew<vtkCellArray> cells;
+  for (const auto& segment : segments) cells->InsertNextCell(2, segment.data());
+  alone->SetPoints(lines.GetPoints());
+  alone->SetLines(cells);
+  vtkNew<vtkStripper> strip;
+  strip->SetInputData(alone);
+  strip->JoinContiguousSegmentsOn();
+  strip->SetMaximumLength(std::numeric_limits<int>::max());
+  strip->Update();
+  return strip->GetOutput();
+}
 
 PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, double width, double opacity) {
   return {placed(*inFewPieces(lines), view), width, color, opacity, true, view.area};

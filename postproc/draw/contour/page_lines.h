@@ -1,4 +1,6 @@
 #pragma once
+#include <vtkSmartPointer.h>
+
 #include <vector>
 
 #include "postproc/draw/contour/seen_lines.h"
@@ -9,6 +11,9 @@ class vtkPolyData;
 
 /// Lines of space as vectors on a page, cut off at the edges of the view.
 namespace burnish {
+
+/// The lines in as few pieces as there can be, and nothing twice.
+vtkSmartPointer<vtkPolyData> inFewPieces(vtkPolyData& lines);
 
 /// Polylines with round ends and corners, pieces that meet as one. width: in pixels of the picture.
 PageLines pageLines(vtkPolyData& lines, const View& view, const Color& color, double width, double opacity);
